@@ -1,0 +1,45 @@
+// Copyright (c) 2026 The CGAL Multisided Patches project.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_MULTISIDED_PATCHES_ERRORS_H
+#define CGAL_MULTISIDED_PATCHES_ERRORS_H
+
+#include <stdexcept>
+
+namespace CGAL {
+namespace Multisided_patches {
+
+/*!
+ * The base of all exceptions that the package throws. The message says where the trouble is (file
+ * and line, side, control point) and what was expected.
+ */
+class Error : public std::runtime_error {
+public:
+  using std::runtime_error::runtime_error;
+};
+
+//! Data that cannot be used: a malformed file, a loop that does not close, a domain that crosses
+//! itself, a coordinate that is not a number.
+class Input_error : public Error {
+public:
+  using Error::Error;
+};
+
+//! A query point outside the domain on which a function is defined.
+class Outside_domain_error : public Input_error {
+public:
+  using Input_error::Input_error;
+};
+
+//! A computation on valid data that could not reach its goal, such as a requested accuracy.
+class Numerical_error : public Error {
+public:
+  using Error::Error;
+};
+
+} // namespace Multisided_patches
+} // namespace CGAL
+
+#endif // CGAL_MULTISIDED_PATCHES_ERRORS_H
