@@ -24,12 +24,12 @@ namespace Multisided_patches {
  * A polygon, possibly with holes, in the (u,v) plane: the domain of a patch.
  *
  * The outer loop runs counterclockwise and the holes clockwise, so that the interior is always on
- * the left. The vertices of all loops are numbered through, the outer loop first; side `i` runs from
- * vertex `i` to vertex `next(i)`, as in `CGAL::Polygon_2::edge(i)`. A domain is valid from its
- * construction on, and never changes: every loop is simple, has no side of length zero and the right
- * orientation, the loops do not touch each other and the holes lie inside the outer loop and outside
- * each other. All of this is decided with the predicates of the traits class, which therefore must
- * be exact.
+ * the left. The vertices of all loops are numbered through, the outer loop first; side `i` runs
+ * from vertex `i` to vertex `next(i)`, as in `CGAL::Polygon_2::edge(i)`. A domain is valid from its
+ * construction on, and never changes: every loop is simple, has no side of length zero and the
+ * right orientation, the loops do not touch each other and the holes lie inside the outer loop and
+ * outside each other. All of this is decided with the predicates of the traits class, which
+ * therefore must be exact.
  *
  * \tparam Traits a CGAL kernel with exact predicates
  */

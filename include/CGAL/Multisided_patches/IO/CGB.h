@@ -1,0 +1,192 @@
+// Copyright (c) 2026 The CGAL Multisided Patches project.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_MULTISIDED_PATCHES_IO_CGB_H
+#define CGAL_MULTISIDED_PATCHES_IO_CGB_H
+
+#include <CGAL/Multisided_patches/IO/internal/Token_reader.h>
+#include <CGAL/Multisided_patches/IO/internal/file_access.h>
+#include <CGAL/Multisided_patches/patches/Concave_bezier_model_3.h>
+
+#include <array>
+#include <cstddef>
+#include <istream>
+#include <limits>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Multisided_patches {
+
+/*!
+ * \file
+ * The `.cgb` format of concave generalized Bézier patches: numbers separated by white space,
+ * \verbatim
+ * central_weight                    0 weight deficiency, 1 none, 2 adjacent, 3 full product of h
+ * domain_type                       0 projected, 1 similarity, 2 similarity-outer, 3 curved
+ * domain_tolerance                  wanted clearance, as a fraction of the domain's size
+ * parameter_dilation
+ * n                                 number of sides
+ * x y z                             central control point
+ * d l                               for each side: degree and layers, then
+ * x y z ...                         l rows of d + 1 points, row 0 (the boundary) first
+ * k                                 number of extra corner control points, then for each
+ * i x y z                           the side that ends at the corner, and the point
+ * \endverbatim
+ * The last point of row 0 of a side is the first one of the next side.
+ */
+namespace IO {
+
+//! Limits of `.cgb` files. They are far above what patches need and keep hostile files harmless.
+struct CGB_limits {
+  static constexpr std::size_t max_sides = 1000;
+  static constexpr std::size_t max_degree = 100;
+  static constexpr std::size_t max_layers = 50;
+};
+
+namespace internal {
+
+using Multisided_patches::internal::Token_reader;
+
+// The integers of the format, in order.
+constexpr std::array central_weights{Central_weight::weight_deficiency, Central_weight::none,
+                                     Central_weight::adjacent_products,
+                                     Central_weight::full_product};
+constexpr std::array domain_types{Domain_generator::projected, Domain_generator::similarity,
+                                  Domain_generator::similarity_outer, Domain_generator::curved};
+
+template <typename Traits>
+typename Traits::Point_3 read_point(Token_reader& in, const std::string& what) {
+  using FT = typename Traits::FT;
+  const double x = in.number("x of " + what);
+  const double y = in.number("y of " + what);
+  const double z = in.number("z of " + what);
+  return typename Traits::Point_3(FT(x), FT(y), FT(z));
+}
+
+template <typename Traits>
+Bezier_ribbon_3<Traits> read_ribbon(Token_reader& in, std::size_t side) {
+  const std::string of_side = " of side " + std::to_string(side);
+  const std::size_t degree = in.integer("the degree" + of_side, 1, CGB_limits::max_degree);
+  const std::size_t layers =
+      in.integer("the number of layers" + of_side, 1, CGB_limits::max_layers);
+  std::vector<typename Traits::Point_3> points;
+  for (std::size_t k = 0; k < layers; ++k)
+    for (std::size_t j = 0; j <= degree; ++j)
+      points.push_back(read_point<Traits>(in, "point " + std::to_string(j) + " in row " +
+                                                  std::to_string(k) + of_side));
+  return Bezier_ribbon_3<Traits>(degree, layers, std::move(points));
+}
+
+} // namespace internal
+
+/*!
+ * reads a patch in `.cgb` format.
+ *
+ * \tparam Traits a CGAL kernel
+ * \param in the stream
+ * \param name what error messages call the stream
+ *
+ * \throws Input_error naming the line and what was expected there, or the side at which the loop is
+ * not valid
+ */
+template <typename Traits>
+Concave_bezier_model_3<Traits> read_CGB(std::istream& in, const std::string& name) {
+  internal::Token_reader reader(in, name);
+  const auto central_weight = internal::central_weights[reader.integer("the central weight", 0, 3)];
+  Domain_options domain;
+  domain.generator = internal::domain_types[reader.integer("the domain type", 0, 3)];
+  domain.clearance = reader.number("the domain tolerance");
+  if (domain.clearance < 0)
+    reader.fail("expected a domain tolerance that is not negative");
+  const double dilation = reader.number("the parameter dilation");
+  const std::size_t n = reader.integer("the number of sides", 3, CGB_limits::max_sides);
+  const auto central_point = internal::read_point<Traits>(reader, "the central control point");
+  std::vector<Bezier_ribbon_3<Traits>> ribbons;
+  for (std::size_t i = 0; i < n; ++i)
+    ribbons.push_back(internal::read_ribbon<Traits>(reader, i));
+
+  using Model = Concave_bezier_model_3<Traits>;
+  std::vector<typename Model::Corner_control_point> corner_points;
+  const std::size_t k = reader.integer("the number of extra corner control points", 0, n);
+  for (std::size_t i = 0; i < k; ++i) {
+    const std::string what = "extra corner control point " + std::to_string(i);
+    const std::size_t index = reader.integer("the index of " + what, 0, n - 1);
+    corner_points.push_back({index, internal::read_point<Traits>(reader, what)});
+  }
+  reader.expect_end();
+
+  try {
+    Model model(Ribbon_loop_3<Traits>(std::move(ribbons)));
+    model.central_point = central_point;
+    model.central_weight = central_weight;
+    model.domain = domain;
+    model.parameter_dilation = dilation;
+    model.corner_control_points = std::move(corner_points);
+    return model;
+  } catch (const Input_error& error) {
+    throw Input_error(name + ": " + error.what());
+  }
+}
+
+//! reads a patch from a `.cgb` file. \throws Input_error as above, or if the file cannot be read
+template <typename Traits>
+Concave_bezier_model_3<Traits> read_CGB(const std::string& file_name) {
+  auto in = Multisided_patches::internal::open_for_reading(file_name);
+  return read_CGB<Traits>(in, file_name);
+}
+
+/*!
+ * writes a patch in `.cgb` format, with 17 significant digits, so that doubles are read back as
+ * they were. The format knows only four ways to make a domain; others are written as similarity.
+ */
+template <typename Traits>
+void write_CGB(std::ostream& out, const Concave_bezier_model_3<Traits>& model) {
+  const auto index_of = [](const auto& values, auto value, std::size_t otherwise) {
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (values[i] == value)
+        return i;
+    return otherwise;
+  };
+  const auto write_point = [&out](const typename Traits::Point_3& p) {
+    out << CGAL::to_double(p.x()) << ' ' << CGAL::to_double(p.y()) << ' ' << CGAL::to_double(p.z())
+        << '\n';
+  };
+
+  const auto precision = out.precision(std::numeric_limits<double>::max_digits10);
+  out << index_of(internal::central_weights, model.central_weight, 1) << '\n'
+      << index_of(internal::domain_types, model.domain.generator, 1) << '\n'
+      << model.domain.clearance << '\n'
+      << model.parameter_dilation << '\n'
+      << model.loop.size() << '\n';
+  write_point(model.central_point.value_or(model.default_central_point()));
+  for (const auto& ribbon : model.loop.ribbons()) {
+    out << ribbon.degree() << ' ' << ribbon.layers() << '\n';
+    for (const auto& p : ribbon.control_points())
+      write_point(p);
+  }
+  out << model.corner_control_points.size() << '\n';
+  for (const auto& corner : model.corner_control_points) {
+    out << corner.index << ' ';
+    write_point(corner.point);
+  }
+  out.precision(precision);
+}
+
+//! writes a patch to a `.cgb` file, whole or not at all. \throws Error if it cannot be written
+template <typename Traits>
+void write_CGB(const std::string& file_name, const Concave_bezier_model_3<Traits>& model) {
+  Multisided_patches::internal::Atomic_file file(file_name);
+  write_CGB(file.stream(), model);
+  file.commit();
+}
+
+} // namespace IO
+} // namespace Multisided_patches
+} // namespace CGAL
+
+#endif // CGAL_MULTISIDED_PATCHES_IO_CGB_H

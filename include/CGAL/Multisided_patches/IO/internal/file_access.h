@@ -1,0 +1,82 @@
+// Copyright (c) 2026 The CGAL Multisided Patches project.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_MULTISIDED_PATCHES_IO_INTERNAL_FILE_ACCESS_H
+#define CGAL_MULTISIDED_PATCHES_IO_INTERNAL_FILE_ACCESS_H
+
+#include <CGAL/Multisided_patches/errors.h>
+
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <string>
+#include <system_error>
+
+namespace CGAL {
+namespace Multisided_patches {
+namespace internal {
+
+inline std::ifstream open_for_reading(const std::string& file_name) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(file_name, ignored))
+    throw Input_error(file_name + ": expected a file, found a directory");
+  std::ifstream in(file_name, std::ios::binary);
+  if (!in)
+    throw Input_error(file_name + ": cannot be opened for reading");
+  return in;
+}
+
+// A file that appears under its name whole or not at all: what is written goes to a file beside it,
+// which takes the name when it is complete, and vanishes if it never is.
+class Atomic_file {
+public:
+  explicit Atomic_file(const std::string& file_name) : name_(file_name) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(file_name, ignored))
+      throw Error(file_name + ": cannot be written: it is a directory");
+    // Devices such as /dev/stdout are written to, not replaced.
+    const auto status = std::filesystem::status(file_name, ignored);
+    replace_ = !std::filesystem::exists(status) || std::filesystem::is_regular_file(status);
+    partial_ = replace_ ? name_ + ".part" + std::to_string(std::random_device{}()) : name_;
+    out_.open(partial_, std::ios::binary);
+    if (!out_)
+      throw Error(file_name + ": cannot be opened for writing");
+  }
+  Atomic_file(const Atomic_file&) = delete;
+  Atomic_file& operator=(const Atomic_file&) = delete;
+  ~Atomic_file() {
+    if (replace_ && !committed_) {
+      out_.close();
+      std::error_code ignored;
+      std::filesystem::remove(partial_, ignored);
+    }
+  }
+
+  std::ofstream& stream() { return out_; }
+
+  // Gives the file its name. Throws Error, and leaves nothing, if not all could be written.
+  void commit() {
+    out_.close();
+    if (!out_)
+      throw Error(name_ + ": cannot be written: is the disk full?");
+    std::error_code error;
+    if (replace_)
+      std::filesystem::rename(partial_, name_, error);
+    if (error)
+      throw Error(name_ + ": cannot be written: " + error.message());
+    committed_ = true;
+  }
+
+private:
+  std::string name_, partial_;
+  std::ofstream out_;
+  bool replace_ = true, committed_ = false;
+};
+
+} // namespace internal
+} // namespace Multisided_patches
+} // namespace CGAL
+
+#endif // CGAL_MULTISIDED_PATCHES_IO_INTERNAL_FILE_ACCESS_H

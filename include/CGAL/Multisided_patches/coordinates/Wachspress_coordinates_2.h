@@ -1,0 +1,110 @@
+// Copyright (c) 2026 The CGAL Multisided Patches project.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_MULTISIDED_PATCHES_WACHSPRESS_COORDINATES_2_H
+#define CGAL_MULTISIDED_PATCHES_WACHSPRESS_COORDINATES_2_H
+
+#include <CGAL/Multisided_patches/coordinates/internal/Coordinates_base.h>
+#include <CGAL/Multisided_patches/errors.h>
+
+#include <boost/container/small_vector.hpp>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Multisided_patches {
+
+/*!
+ * Wachspress coordinates on a strictly convex polygon: rational functions of (u,v) of lowest
+ * degree, smooth up to and including the boundary.
+ *
+ * With A_j(p) the area of the triangle (v_j, v_{j+1}, p) and C_i that of (v_{i-1}, v_i, v_{i+1}),
+ * the weights are w_i = C_i Π_{j≠i-1,i} A_j(p), and λ_i = w_i / Σ w (Meyer, Lee, Barr and Desbrun,
+ * *Generalized barycentric coordinates on irregular polygons*, Journal of Graphics Tools 7, 2002).
+ * In this form nothing vanishes on the boundary, and derivatives of all orders are right there.
+ *
+ * The formulas are generic in the number type; with an exact one the coordinates are exact.
+ *
+ * \cgalModels{BarycentricCoordinates_2}
+ *
+ * \tparam Traits a CGAL kernel with exact predicates
+ */
+template <typename Traits>
+class Wachspress_coordinates_2
+    : public internal::Coordinates_base<Wachspress_coordinates_2<Traits>, Traits> {
+  using Base = internal::Coordinates_base<Wachspress_coordinates_2<Traits>, Traits>;
+
+public:
+  using typename Base::Domain;
+  using typename Base::FT;
+  using typename Base::Location;
+  using typename Base::Point_2;
+
+  //! \throws Input_error if the domain has a hole, or a corner that is not convex
+  explicit Wachspress_coordinates_2(const Domain& domain) : Base(domain) {
+    if (domain.number_of_loops() > 1)
+      throw Input_error("Wachspress coordinates need a domain without holes");
+    for (std::size_t i = 0; i < domain.size(); ++i) {
+      const Corner_type type = domain.corner_type(i);
+      if (type != Corner_type::convex)
+        throw Input_error("Wachspress coordinates need a strictly convex domain; corner " +
+                          std::to_string(i) + " is " + to_string(type));
+      const Point_2& next = domain.vertex(domain.next(i));
+      corner_areas_.push_back(
+          twice_area<FT>(domain.vertex(domain.prev(i)), domain.vertex(i), next.x(), next.y()));
+    }
+    // The areas A_j(p) sum to that of the domain; relative to their mean the products stay in
+    // range.
+    mean_area_ = FT(2) * domain.area() / FT(static_cast<int>(domain.size()));
+  }
+
+  /*!
+   * the formula itself, used by `evaluate()`. Complexity: O(n).
+   */
+  template <int Order>
+  void evaluate_formula(const Point_2& p, const Location&, Jet_2<FT, Order>* lambda) const {
+    using Jet = Jet_2<FT, Order>;
+    const Domain& domain = this->domain();
+    const std::size_t n = domain.size();
+    const Jet u = Jet::u_variable(p.x()), v = Jet::v_variable(p.y());
+
+    boost::container::small_vector<Jet, 32> area(n), after(n + 1);
+    for (std::size_t j = 0; j < n; ++j)
+      area[j] =
+          twice_area(domain.vertex(j), domain.vertex(domain.next(j)), u, v) * (FT(1) / mean_area_);
+    after[n] = Jet(FT(1));
+    for (std::size_t j = n; j-- > 1;)
+      after[j] = area[j] * after[j + 1];
+
+    // Vertex 0 misses the last side and the first, every other vertex two sides in a row.
+    lambda[0] = Jet(corner_areas_[0]);
+    for (std::size_t j = 1; j + 1 < n; ++j)
+      lambda[0] *= area[j];
+    Jet before(FT(1)), sum = lambda[0];
+    for (std::size_t i = 1; i < n; ++i) {
+      lambda[i] = before * after[i + 1] * corner_areas_[i];
+      before *= area[i - 1];
+      sum += lambda[i];
+    }
+    for (std::size_t i = 0; i < n; ++i)
+      lambda[i] /= sum;
+  }
+
+private:
+  template <typename T>
+  static T twice_area(const Point_2& a, const Point_2& b, const T& u, const T& v) {
+    return (v - a.y()) * FT(b.x() - a.x()) - (u - a.x()) * FT(b.y() - a.y());
+  }
+
+  std::vector<FT> corner_areas_;
+  FT mean_area_;
+};
+
+} // namespace Multisided_patches
+} // namespace CGAL
+
+#endif // CGAL_MULTISIDED_PATCHES_WACHSPRESS_COORDINATES_2_H

@@ -1,0 +1,61 @@
+// Copyright (c) 2026 The CGAL Multisided Patches project.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_MULTISIDED_PATCHES_INTERNAL_VECTOR_UTILS_H
+#define CGAL_MULTISIDED_PATCHES_INTERNAL_VECTOR_UTILS_H
+
+#include <CGAL/number_utils.h>
+
+#include <array>
+#include <cmath>
+
+namespace CGAL {
+namespace Multisided_patches {
+namespace internal {
+
+// Directions, lengths and angles need square roots and trigonometry, so they are computed in double
+// whatever the kernel is.
+using Vec3 = std::array<double, 3>;
+
+template <typename Vector_3>
+Vec3 to_vec3(const Vector_3& v) {
+  return {CGAL::to_double(v.x()), CGAL::to_double(v.y()), CGAL::to_double(v.z())};
+}
+
+inline double dot(const Vec3& a, const Vec3& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+inline Vec3 cross(const Vec3& a, const Vec3& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+inline Vec3 sum(const Vec3& a, const Vec3& b) {
+  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+
+// std::hypot neither overflows nor underflows, so that vectors of any size have a length.
+inline double norm(const Vec3& a) {
+  return std::hypot(a[0], a[1], a[2]);
+}
+
+// The unit vector, or the zero vector if `a` has no direction.
+inline Vec3 normalized(const Vec3& a) {
+  const double length = norm(a);
+  if (!(length > 0) || !std::isfinite(length))
+    return {0, 0, 0};
+  return {a[0] / length, a[1] / length, a[2] / length};
+}
+
+// The angle between two vectors in [0,π], accurate also near 0 and π.
+inline double angle_between(const Vec3& a, const Vec3& b) {
+  return std::atan2(norm(cross(a, b)), dot(a, b));
+}
+
+} // namespace internal
+} // namespace Multisided_patches
+} // namespace CGAL
+
+#endif // CGAL_MULTISIDED_PATCHES_INTERNAL_VECTOR_UTILS_H

@@ -1,0 +1,86 @@
+// Copyright (c) 2026 The CGAL Multisided Patches project.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_MULTISIDED_PATCHES_BARYCENTRIC_SIDE_PARAMETERS_H
+#define CGAL_MULTISIDED_PATCHES_BARYCENTRIC_SIDE_PARAMETERS_H
+
+#include <boost/container/small_vector.hpp>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Multisided_patches {
+
+//! The parameters of one side: `s` runs from 0 to 1 along it, `h` is 0 on it and grows inwards.
+template <typename T>
+struct Side_parameter {
+  T s, h;
+};
+
+namespace internal {
+
+// h_i before dilation: the sum of all λ but λ_i and λ_{i+1}. Unlike 1 - λ_i - λ_{i+1} this is
+// exactly 0 on the side, and does not cancel near it. O(n) for all sides.
+template <typename T, typename Domain, typename Output>
+void sums_of_others(const Domain& domain, const T* lambda, Output& h) {
+  const std::size_t n = domain.size();
+  boost::container::small_vector<T, 33> after(n + 1);
+  for (std::size_t j = n; j-- > 0;)
+    after[j] = after[j + 1] + lambda[j];
+  for (std::size_t loop = 0; loop < domain.number_of_loops(); ++loop) {
+    const std::size_t first = domain.loop_begin(loop), last = domain.loop_begin(loop + 1) - 1;
+    T before;
+    for (std::size_t j = 0; j < first; ++j)
+      before += lambda[j];
+    T between; // the first and the last vertex of the loop
+    h[last].h = before + after[last + 1];
+    for (std::size_t i = first; i < last; ++i) {
+      h[i].h = before + after[i + 2];
+      before += lambda[i];
+      if (i > first)
+        between += lambda[i];
+    }
+    h[last].h += between;
+  }
+}
+
+} // namespace internal
+
+/*!
+ * computes the side parameters of all sides from barycentric coordinates:
+ * s_i = λ_{i+1} / (λ_i + λ_{i+1}) and h_i = (1 - λ_i - λ_{i+1}) (1 - δ λ_{i-1} λ_{i+2}) (Salvi and
+ * Várady, *Multi-sided Bézier surfaces over concave polygonal domains*, Computers & Graphics 74,
+ * 2018). Where λ_i + λ_{i+1} = 0, on sides that do not touch side i, s_i is undefined and set to
+ * the constant 1/2; everything that depends on it vanishes there.
+ *
+ * \tparam T the number type of the coordinates: a `Jet_2`, so that derivatives come along
+ *
+ * \param domain the domain of the coordinates, with n vertices
+ * \param lambda n coordinates
+ * \param dilation δ; 0 for the plain parameters. It has no effect on domains with 3 sides, where
+ * λ_{i-1} and λ_{i+2} are the same
+ * \param parameters an indexable range of n elements of type `Side_parameter<T>` that is
+ * overwritten
+ *
+ * Complexity: O(n).
+ */
+template <typename T, typename Domain, typename Output>
+void compute_side_parameters(const Domain& domain, const T* lambda, const typename T::FT& dilation,
+                             Output& parameters) {
+  using FT = typename T::FT;
+  internal::sums_of_others(domain, lambda, parameters);
+  for (std::size_t i = 0; i < domain.size(); ++i) {
+    const std::size_t next = domain.next(i), prev = domain.prev(i), after = domain.next(next);
+    const T sum = lambda[i] + lambda[next];
+    parameters[i].s = sum.value() == FT(0) ? T(FT(1) / FT(2)) : lambda[next] / sum;
+    if (dilation != FT(0) && after != prev)
+      parameters[i].h *= T(FT(1)) - lambda[prev] * lambda[after] * dilation;
+  }
+}
+
+} // namespace Multisided_patches
+} // namespace CGAL
+
+#endif // CGAL_MULTISIDED_PATCHES_BARYCENTRIC_SIDE_PARAMETERS_H

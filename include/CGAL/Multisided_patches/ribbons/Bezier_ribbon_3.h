@@ -1,0 +1,156 @@
+// Copyright (c) 2026 The CGAL Multisided Patches project.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_MULTISIDED_PATCHES_BEZIER_RIBBON_3_H
+#define CGAL_MULTISIDED_PATCHES_BEZIER_RIBBON_3_H
+
+#include <CGAL/Multisided_patches/errors.h>
+#include <CGAL/Multisided_patches/internal/bernstein.h>
+
+#include <CGAL/assertions.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/container/small_vector.hpp>
+#include <boost/math/quadrature/gauss.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Multisided_patches {
+
+/*!
+ * One side of a patch: a Bézier boundary curve and the rows of control points that lead inwards.
+ *
+ * A ribbon of degree d with l layers has (d + 1) l control points C_{j,k}; j = 0..d runs along the
+ * side, k = 0..l-1 from the boundary inwards. Row 0 is the control polygon of the boundary curve.
+ * The ribbon stands for the first l rows of a tensor product Bézier surface of degree d by 2l - 1,
+ * so with 2 layers it fixes the tangent planes along the side (G1), with 3 the curvatures (G2).
+ *
+ * \tparam Traits a CGAL kernel
+ */
+template <typename Traits>
+class Bezier_ribbon_3 {
+public:
+  using Geom_traits = Traits;
+  using FT = typename Traits::FT;
+  using Point_3 = typename Traits::Point_3;
+  using Vector_3 = typename Traits::Vector_3;
+
+  /*!
+   * stores a ribbon.
+   *
+   * \param degree the degree d along the side, at least 1
+   * \param layers the number l of rows, at least 1
+   * \param control_points the (d + 1) l points row by row, row 0 (the boundary) first (model units)
+   *
+   * \throws Input_error if the sizes do not fit together or a coordinate is not finite
+   */
+  Bezier_ribbon_3(std::size_t degree, std::size_t layers, std::vector<Point_3> control_points)
+      : degree_(degree), layers_(layers), control_points_(std::move(control_points)) {
+    if (degree < 1 || layers < 1)
+      throw Input_error("a ribbon needs a degree of at least 1 and at least 1 layer, not degree " +
+                        std::to_string(degree) + " and " + std::to_string(layers) + " layers");
+    if (control_points_.size() / layers != degree + 1 || control_points_.size() % layers != 0)
+      throw Input_error("a ribbon of degree " + std::to_string(degree) + " with " +
+                        std::to_string(layers) +
+                        " layers needs (degree + 1) * layers points, not " +
+                        std::to_string(control_points_.size()));
+    for (std::size_t i = 0; i < control_points_.size(); ++i) {
+      const Point_3& p = control_points_[i];
+      if (!CGAL::is_finite(p.x()) || !CGAL::is_finite(p.y()) || !CGAL::is_finite(p.z()))
+        throw Input_error("control point " + std::to_string(i % (degree + 1)) + " of row " +
+                          std::to_string(i / (degree + 1)) + " is not finite");
+    }
+  }
+
+  //! the degree d along the side
+  std::size_t degree() const { return degree_; }
+  //! the number l of rows of control points
+  std::size_t layers() const { return layers_; }
+  //! the degree across the side, 2l - 1
+  std::size_t cross_degree() const { return 2 * layers_ - 1; }
+
+  //! C_{j,k}: column `j` along the side, row `k` inwards
+  const Point_3& control_point(std::size_t j, std::size_t k) const {
+    CGAL_precondition(j <= degree_ && k < layers_);
+    return control_points_[k * (degree_ + 1) + j];
+  }
+  //! all control points, row by row
+  const std::vector<Point_3>& control_points() const { return control_points_; }
+
+  //! the boundary curve at `s` in [0,1]. Complexity: O(d²).
+  Point_3 boundary_point(const FT& s) const { return ORIGIN + combine_row(0, degree_, s); }
+
+  //! the derivative of the boundary curve with respect to s (model units). Complexity: O(d²).
+  Vector_3 boundary_derivative(const FT& s) const {
+    boost::container::small_vector<FT, 16> b(degree_);
+    internal::bernstein_polynomials(degree_ - 1, s, b.data());
+    Vector_3 sum(FT(0), FT(0), FT(0));
+    for (std::size_t j = 0; j < degree_; ++j)
+      sum = sum + b[j] * (control_point(j + 1, 0) - control_point(j, 0));
+    return FT(static_cast<int>(degree_)) * sum;
+  }
+
+  /*!
+   * the derivative across the side, with respect to h at h = 0 (model units); it points inwards.
+   * Complexity: O(d²). \pre `layers() >= 2`
+   */
+  Vector_3 cross_derivative(const FT& s) const {
+    CGAL_precondition(layers_ >= 2);
+    return FT(static_cast<int>(cross_degree())) *
+           (combine_row(1, degree_, s) - combine_row(0, degree_, s));
+  }
+
+  /*!
+   * the length of the boundary curve (model units), by Gauss quadrature on pieces that are halved
+   * until the halves agree with the whole to 1e-12 of the length of the control polygon
+   */
+  double arc_length() const {
+    // The control polygon bounds the length from above and sets the scale of the tolerance.
+    double scale = 0;
+    for (std::size_t j = 0; j < degree_; ++j)
+      scale += length(control_point(j + 1, 0) - control_point(j, 0));
+    return scale > 0 ? arc_length(0, 1, gauss(0, 1), 1e-12 * scale, 20) : 0;
+  }
+
+private:
+  static double length(const Vector_3& v) {
+    return std::hypot(CGAL::to_double(v.x()), CGAL::to_double(v.y()), CGAL::to_double(v.z()));
+  }
+
+  Vector_3 combine_row(std::size_t row, std::size_t degree, const FT& s) const {
+    boost::container::small_vector<FT, 16> b(degree + 1);
+    internal::bernstein_polynomials(degree, s, b.data());
+    Vector_3 sum(FT(0), FT(0), FT(0));
+    for (std::size_t j = 0; j <= degree; ++j)
+      sum = sum + b[j] * (control_point(j, row) - ORIGIN);
+    return sum;
+  }
+
+  double gauss(double a, double b) const {
+    return boost::math::quadrature::gauss<double, 15>::integrate(
+        [this](double s) { return length(boundary_derivative(FT(s))); }, a, b);
+  }
+
+  double arc_length(double a, double b, double whole, double tolerance, int depth) const {
+    const double m = (a + b) / 2, left = gauss(a, m), right = gauss(m, b);
+    if (depth == 0 || std::abs(left + right - whole) <= tolerance)
+      return left + right;
+    return arc_length(a, m, left, tolerance, depth - 1) +
+           arc_length(m, b, right, tolerance, depth - 1);
+  }
+
+  std::size_t degree_, layers_;
+  std::vector<Point_3> control_points_;
+};
+
+} // namespace Multisided_patches
+} // namespace CGAL
+
+#endif // CGAL_MULTISIDED_PATCHES_BEZIER_RIBBON_3_H

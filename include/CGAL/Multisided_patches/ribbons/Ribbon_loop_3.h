@@ -1,0 +1,155 @@
+// Copyright (c) 2026 The CGAL Multisided Patches project.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_MULTISIDED_PATCHES_RIBBON_LOOP_3_H
+#define CGAL_MULTISIDED_PATCHES_RIBBON_LOOP_3_H
+
+#include <CGAL/Multisided_patches/errors.h>
+#include <CGAL/Multisided_patches/ribbons/Bezier_ribbon_3.h>
+#include <CGAL/Multisided_patches/ribbons/Corner_type.h>
+#include <CGAL/Multisided_patches/ribbons/internal/corner_geometry.h>
+
+#include <CGAL/Bbox_3.h>
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Multisided_patches {
+
+/*!
+ * The ribbons around one hole, in order, with the surface on their left.
+ *
+ * Ribbon `i` starts at corner `i` and ends at corner `next(i)`. Adjacent ribbons may differ in
+ * degree and in their number of layers. A loop is checked at its construction and never changes.
+ *
+ * A corner is *convex*, *reflex* or *straight* according to the turn from the end tangent of the
+ * ribbon that arrives to the start tangent of the one that leaves, seen from the side to which the
+ * surface normal points; the normal comes from the cross-derivatives of the two ribbons or, where
+ * neither has any, from the area vector of the whole boundary. A turn of less than one degree is
+ * straight.
+ *
+ * \tparam Traits a CGAL kernel
+ */
+template <typename Traits>
+class Ribbon_loop_3 {
+public:
+  using Geom_traits = Traits;
+  using FT = typename Traits::FT;
+  using Point_3 = typename Traits::Point_3;
+  using Vector_3 = typename Traits::Vector_3;
+  using Ribbon = Bezier_ribbon_3<Traits>;
+
+  /*!
+   * checks and stores the ribbons of a loop.
+   *
+   * \param ribbons at least 3 ribbons; the last point of row 0 of each is the first of the next one
+   * \param relative_tolerance how far two points that should be the same corner may be apart, as a
+   * fraction of the diagonal of the bounding box; the end of the earlier ribbon is moved onto the
+   * start of the later one, so that the loop closes exactly
+   *
+   * \throws Input_error if there are fewer than 3 ribbons, the loop does not close or the boundary
+   * curve of a side is a single point
+   */
+  explicit Ribbon_loop_3(std::vector<Ribbon> ribbons, double relative_tolerance = 1e-9)
+      : ribbons_(std::move(ribbons)) {
+    if (size() < 3)
+      throw Input_error("a loop needs at least 3 ribbons, not " + std::to_string(size()));
+    for (const Ribbon& r : ribbons_)
+      for (const Point_3& p : r.control_points())
+        bbox_ += p.bbox();
+    for (std::size_t i = 0; i < size(); ++i)
+      close_corner(i, relative_tolerance * diagonal());
+    for (std::size_t i = 0; i < size(); ++i)
+      if (internal::norm(internal::start_direction(ribbons_[i])) == 0)
+        throw Input_error("the boundary curve of side " + std::to_string(i) +
+                          " is a single point: all its control points coincide");
+    const internal::Vec3 up = area_vector();
+    for (std::size_t i = 0; i < size(); ++i)
+      corners_.push_back(internal::corner_geometry(ribbons_[prev(i)], ribbons_[i], up));
+  }
+
+  //! the number of ribbons, which is that of corners
+  std::size_t size() const { return ribbons_.size(); }
+  std::size_t next(std::size_t i) const { return i + 1 == size() ? 0 : i + 1; }
+  std::size_t prev(std::size_t i) const { return i == 0 ? size() - 1 : i - 1; }
+
+  const Ribbon& operator[](std::size_t i) const { return ribbons_[i]; }
+  const std::vector<Ribbon>& ribbons() const { return ribbons_; }
+
+  //! the point where ribbon `prev(i)` ends and ribbon `i` starts
+  const Point_3& corner_point(std::size_t i) const { return ribbons_[i].control_point(0, 0); }
+  Corner_type corner_type(std::size_t i) const { return corners_[i].type; }
+  //! the interior angle at corner `i`, between the end tangents (radians, in (0,2π))
+  double corner_angle(std::size_t i) const { return corners_[i].angle; }
+  //! the unit normal at corner `i`, or the zero vector if neither ribbon has cross-derivatives
+  //! there
+  Vector_3 corner_normal(std::size_t i) const {
+    const internal::Vec3& n = corners_[i].normal;
+    return Vector_3(FT(n[0]), FT(n[1]), FT(n[2]));
+  }
+  /*!
+   * the angle between the tangent planes that the two ribbons of corner `i` give there (radians, in
+   * [0,π]); 0 if one of them gives none. A patch can meet both only if it is 0.
+   */
+  double corner_normal_mismatch(std::size_t i) const { return corners_[i].normal_mismatch; }
+  //! the number of corners of a type
+  std::size_t number_of_corners(Corner_type type) const {
+    std::size_t count = 0;
+    for (const internal::Corner_geometry& c : corners_)
+      count += c.type == type;
+    return count;
+  }
+
+  //! the bounding box of all control points (model units)
+  const Bbox_3& bbox() const { return bbox_; }
+  //! the diagonal of the bounding box (model units)
+  double diagonal() const {
+    return internal::norm(
+        {bbox_.xmax() - bbox_.xmin(), bbox_.ymax() - bbox_.ymin(), bbox_.zmax() - bbox_.zmin()});
+  }
+
+private:
+  void close_corner(std::size_t i, double tolerance) {
+    const Ribbon& r = ribbons_[i];
+    const Point_3& start = corner_point(next(i));
+    const Point_3& end = r.control_point(r.degree(), 0);
+    if (end == start)
+      return;
+    const double gap = internal::norm(internal::to_vec3(start - end));
+    if (!(gap <= tolerance))
+      throw Input_error("the loop does not close: side " + std::to_string(i) + " ends " +
+                        std::to_string(gap) + " away from the start of side " +
+                        std::to_string(next(i)));
+    std::vector<Point_3> points = r.control_points();
+    points[r.degree()] = start;
+    ribbons_[i] = Ribbon(r.degree(), r.layers(), std::move(points));
+  }
+
+  // Newell's area vector of the closed control polygon of the boundary: the side on which the
+  // boundary runs counterclockwise on the whole.
+  internal::Vec3 area_vector() const {
+    internal::Vec3 area{0, 0, 0};
+    const Point_3& origin = corner_point(0);
+    for (const Ribbon& r : ribbons_)
+      for (std::size_t j = 0; j < r.degree(); ++j) {
+        const internal::Vec3 a = internal::to_vec3(r.control_point(j, 0) - origin),
+                             b = internal::to_vec3(r.control_point(j + 1, 0) - origin);
+        area = internal::sum(area, internal::cross(a, b));
+      }
+    return internal::normalized(area);
+  }
+
+  std::vector<Ribbon> ribbons_;
+  std::vector<internal::Corner_geometry> corners_;
+  Bbox_3 bbox_;
+};
+
+} // namespace Multisided_patches
+} // namespace CGAL
+
+#endif // CGAL_MULTISIDED_PATCHES_RIBBON_LOOP_3_H
