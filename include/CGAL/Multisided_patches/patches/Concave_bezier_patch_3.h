@@ -20,6 +20,7 @@
 
 #include <boost/container/small_vector.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <string>
@@ -85,6 +86,9 @@ public:
   const Domain_report& domain_report() const { return domain_report_; }
   const Coordinates& coordinates() const { return coordinates_; }
   const Concave_bezier_basis& basis() const { return basis_; }
+
+  //! the length of the boundary curve of side `i` (model units)
+  double side_length(std::size_t i) const { return loop_[i].arc_length(); }
 
   /*!
    * the point of the patch at `uv` (model units). On the boundary this is the point of the boundary
@@ -166,14 +170,12 @@ public:
     return to_vector(n);
   }
 
-  //! the unit normal of a surface point that has been evaluated with its first derivatives; zero
-  //! where these do not span a plane
-  static Vector_3 normal(const Surface_jet<1>& surface) {
-    return to_vector(tangent_plane_normal(surface));
-  }
-  template <int Order>
-  static Point_3 to_point(const Surface_jet<Order>& surface) {
-    return Point_3(surface[0].value(), surface[1].value(), surface[2].value());
+  //! `point()` and `normal()` at the cost of one evaluation
+  std::pair<Point_3, Vector_3> point_and_normal(const Point_2& uv, const Location& location) const {
+    if (location.is_on_boundary())
+      return {point(uv, location), normal(uv, location)};
+    const Surface_jet<1> surface = evaluate<1>(uv, location);
+    return {to_point(surface), to_vector(tangent_plane_normal(surface))};
   }
 
 private:
@@ -218,6 +220,11 @@ private:
       return {0, 0, 0};
     return unit_normal(internal::to_vec3(ribbon.boundary_derivative(location.s)),
                        internal::to_vec3(ribbon.cross_derivative(location.s)));
+  }
+
+  template <int Order>
+  static Point_3 to_point(const Surface_jet<Order>& surface) {
+    return Point_3(surface[0].value(), surface[1].value(), surface[2].value());
   }
 
   static internal::Vec3 tangent_plane_normal(const Surface_jet<1>& surface) {

@@ -15,6 +15,7 @@
 #include <boost/container/small_vector.hpp>
 #include <boost/math/quadrature/gauss.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -84,8 +85,16 @@ public:
   //! all control points, row by row
   const std::vector<Point_3>& control_points() const { return control_points_; }
 
-  //! the boundary curve at `s` in [0,1]. Complexity: O(d²).
-  Point_3 boundary_point(const FT& s) const { return ORIGIN + combine_row(0, degree_, s); }
+  /*!
+   * the boundary curve at `s` in [0,1] (model units). The reversed ribbon gives the same point at
+   * 1 - s, bit for bit if 1 - s is exact, so that two patches on one curve agree on it. Complexity:
+   * O(d²).
+   */
+  Point_3 boundary_point(const FT& s) const {
+    if (runs_backwards())
+      return ORIGIN + combine_row(0, FT(1) - s, [this](std::size_t j) { return degree_ - j; });
+    return ORIGIN + combine_row(0, s, [](std::size_t j) { return j; });
+  }
 
   //! the derivative of the boundary curve with respect to s (model units). Complexity: O(d²).
   Vector_3 boundary_derivative(const FT& s) const {
@@ -103,15 +112,19 @@ public:
    */
   Vector_3 cross_derivative(const FT& s) const {
     CGAL_precondition(layers_ >= 2);
+    const auto forwards = [](std::size_t j) { return j; };
     return FT(static_cast<int>(cross_degree())) *
-           (combine_row(1, degree_, s) - combine_row(0, degree_, s));
+           (combine_row(1, s, forwards) - combine_row(0, s, forwards));
   }
 
   /*!
    * the length of the boundary curve (model units), by Gauss quadrature on pieces that are halved
-   * until the halves agree with the whole to 1e-12 of the length of the control polygon
+   * until the halves agree with the whole to 1e-12 of the length of the control polygon. The
+   * reversed ribbon has the same length, bit for bit.
    */
   double arc_length() const {
+    if (runs_backwards())
+      return reversed().arc_length();
     // The control polygon bounds the length from above and sets the scale of the tolerance.
     double scale = 0;
     for (std::size_t j = 0; j < degree_; ++j)
@@ -119,17 +132,37 @@ public:
     return scale > 0 ? arc_length(0, 1, gauss(0, 1), 1e-12 * scale, 20) : 0;
   }
 
+  //! the same ribbon with the side run the other way: column j becomes column d - j
+  Bezier_ribbon_3 reversed() const {
+    std::vector<Point_3> points(control_points_);
+    for (auto row = points.begin(); row != points.end(); row += degree_ + 1)
+      std::reverse(row, row + degree_ + 1);
+    return Bezier_ribbon_3(degree_, layers_, std::move(points));
+  }
+
 private:
   static double length(const Vector_3& v) {
     return std::hypot(CGAL::to_double(v.x()), CGAL::to_double(v.y()), CGAL::to_double(v.z()));
   }
 
-  Vector_3 combine_row(std::size_t row, std::size_t degree, const FT& s) const {
-    boost::container::small_vector<FT, 16> b(degree + 1);
-    internal::bernstein_polynomials(degree, s, b.data());
+  // Whether the boundary curve runs from its lexicographically larger end to the smaller one: of
+  // the two directions of a curve, computations take the other.
+  bool runs_backwards() const {
+    for (std::size_t j = 0; 2 * j < degree_; ++j) {
+      const Point_3 &a = control_point(j, 0), &b = control_point(degree_ - j, 0);
+      if (a != b)
+        return b < a;
+    }
+    return false;
+  }
+
+  template <typename Column>
+  Vector_3 combine_row(std::size_t row, const FT& s, const Column& column) const {
+    boost::container::small_vector<FT, 16> b(degree_ + 1);
+    internal::bernstein_polynomials(degree_, s, b.data());
     Vector_3 sum(FT(0), FT(0), FT(0));
-    for (std::size_t j = 0; j <= degree; ++j)
-      sum = sum + b[j] * (control_point(j, row) - ORIGIN);
+    for (std::size_t j = 0; j <= degree_; ++j)
+      sum = sum + b[j] * (control_point(column(j), row) - ORIGIN);
     return sum;
   }
 
