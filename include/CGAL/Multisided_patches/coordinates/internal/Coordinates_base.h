@@ -24,7 +24,8 @@ namespace internal {
 //
 // Derived gives
 //   template <int Order>
-//   void evaluate_formula(const Point_2& p, const Location& location, Jet_2<FT, Order>* lambda) const
+//   void evaluate_formula(const Point_2& p, const Location& location, Jet_2<FT, Order>* lambda)
+//   const
 // which is called for points inside, and, if Order > 0, on the boundary for the derivatives.
 template <typename Derived, typename Traits>
 class Coordinates_base {

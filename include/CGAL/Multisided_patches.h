@@ -1,0 +1,26 @@
+// Copyright (c) 2026 The CGAL Multisided Patches project.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_MULTISIDED_PATCHES_H
+#define CGAL_MULTISIDED_PATCHES_H
+
+/*!
+ * \file
+ * The whole package except for writing meshes, which needs
+ * `CGAL/Multisided_patches/IO/surface_mesh.h` or CGAL's own functions.
+ */
+
+#include <CGAL/Multisided_patches/IO/CGB.h>
+#include <CGAL/Multisided_patches/analysis/boundary_deviation.h>
+#include <CGAL/Multisided_patches/analysis/mesh_topology.h>
+#include <CGAL/Multisided_patches/coordinates/Harmonic_coordinates_2.h>
+#include <CGAL/Multisided_patches/coordinates/Mean_value_coordinates_2.h>
+#include <CGAL/Multisided_patches/coordinates/Wachspress_coordinates_2.h>
+#include <CGAL/Multisided_patches/domains/make_domain.h>
+#include <CGAL/Multisided_patches/meshing/tessellate.h>
+#include <CGAL/Multisided_patches/patches/Concave_bezier_patch_3.h>
+#include <CGAL/Multisided_patches/ribbons/Ribbon_loop_3.h>
+
+#endif // CGAL_MULTISIDED_PATCHES_H

@@ -1,0 +1,129 @@
+// Copyright (c) 2026 The CGAL Multisided Patches project.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_MULTISIDED_PATCHES_COORDINATES_INTERNAL_HARMONIC_CHANNEL_CELL_H
+#define CGAL_MULTISIDED_PATCHES_COORDINATES_INTERNAL_HARMONIC_CHANNEL_CELL_H
+
+#include <CGAL/Multisided_patches/coordinates/internal/harmonic/Strip_map.h>
+
+
+namespace CGAL {
+namespace Multisided_patches {
+namespace internal {
+namespace harmonic {
+
+// A part of the domain between two facing sides e1 and e2, see Strip_map. A harmonic function that
+// vanishes on both has the basis Im e^{j (W - high)}, Im e^{-j (W - low)}, j = 1..degree, where
+// [low, high] is the range of Re W: what enters at the ends decays exponentially inwards. One such
+// cell resolves a gap of any thinness.
+//
+// The boundary values are carried by four harmonic functions, 0 on one side and on the other
+//   O1: 1 on e1,  X1: x on e1,  O2: 1 on e2,  X2: the abscissa on e2, along it from above c.
+class Channel_cell {
+public:
+  Channel_cell(const Boundary& boundary, std::size_t e1, std::size_t e2, const Strip_map& map,
+               const Complex& origin, const Interval& range, int degree)
+      : side_{e1, e2}, target_{boundary.next(e1), boundary.next(e2)},
+        inverse_length_{1 / boundary.length(e1), 1 / boundary.length(e2)}, map_(map),
+        range_(range), degree_(degree) {
+    const double beta = map.beta();
+    const Complex d1 = boundary.direction(e1), d2 = boundary.direction(e2);
+    const Complex above = origin + d1 * (map.height() * std::cos(beta)) *
+                                       Complex(-std::tan(beta / 2), 1);
+    abscissa_[0] = dot(origin - boundary.vertex(e1), d1);
+    abscissa_[1] = dot(above - boundary.vertex(e2), d2);
+    const double narrowest = pi / std::abs(map.derivative(map.abscissa(range.low)));
+    resolution_ = 0.75 * degree / (0.5 * narrowest);
+  }
+
+  int size() const { return 2 * degree_; }
+  double resolution() const { return resolution_; }
+
+  template <int Order>
+  void basis(const Complex& z, Analytic<Order>* f) const {
+    const Complex x = map_.local(z), w = map_.image(x);
+    const Complex factor[2] = {std::exp(w - range_.high), std::exp(range_.low - w)};
+    const Complex d = Order > 0 ? map_.derivative(x) : Complex(0);
+    // W'' / W'
+    const Complex bend = Order > 1 ? -d * (map_.kappa() / map_.lambda()) : Complex(0);
+    Complex power[2] = {Complex(0, -1), Complex(0, -1)};
+    for (int j = 1; j <= degree_; ++j)
+      for (const int end : {0, 1}) {
+        Analytic<Order>& g = f[2 * (j - 1) + end];
+        power[end] = product(power[end], factor[end]);
+        const double rate = end == 0 ? j : -j;
+        g[0] = power[end];
+        if constexpr (Order >= 1)
+          g[1] = product(rate * d, g[0]);
+        if constexpr (Order >= 2)
+          g[2] = product(rate * d + bend, g[1]);
+      }
+  }
+
+  template <int Order>
+  std::size_t hats(const Complex& z, Hat_term<Order>* terms) const {
+    const double beta = map_.beta();
+    const Complex x = map_.local(z);
+    const Analytic<Order> one{Complex(1)}, o2 = constant_on_e2<Order>(x), x2 = linear_on_e2<Order>(x);
+    const Analytic<Order> o1 = combination<Order>(1, one, -1, o2);
+    // Re x on e2 is q + cos(beta) times the abscissa there
+    const double q = -map_.height() * std::cos(beta) * std::tan(beta / 2);
+    Analytic<Order> x1 = combination<Order>(-q, o2, -std::cos(beta), x2);
+    x1[0] += x;
+    if constexpr (Order >= 1)
+      x1[1] += map_.inverse_direction();
+    // The abscissa on e2 runs against its direction: the domain is on its left, too.
+    terms[1] = {target_[0], combination<Order>(inverse_length_[0], x1,
+                                               inverse_length_[0] * abscissa_[0], o1)};
+    terms[0] = {side_[0], combination<Order>(1, o1, -1, terms[1].f)};
+    terms[3] = {target_[1], combination<Order>(-inverse_length_[1], x2,
+                                               inverse_length_[1] * abscissa_[1], o2)};
+    terms[2] = {side_[1], combination<Order>(1, o2, -1, terms[3].f)};
+    return 4;
+  }
+
+private:
+  // O2 = Im W / pi
+  template <int Order>
+  Analytic<Order> constant_on_e2(const Complex& x) const {
+    Analytic<Order> f{minus_i_times(map_.image(x)) / pi};
+    if constexpr (Order >= 1)
+      f[1] = minus_i_times(map_.derivative(x)) / pi;
+    if constexpr (Order >= 2)
+      f[2] = -f[1] * map_.derivative(x) * (map_.kappa() / map_.lambda());
+    return f;
+  }
+
+  // X2 = Im [x / sin(beta) - log(1 + kappa x) / (beta kappa)], arranged for small beta
+  template <int Order>
+  Analytic<Order> linear_on_e2(const Complex& x) const {
+    const double beta = map_.beta(), scale = map_.lambda() / pi;
+    const double slope = beta < 1e-2 ? beta / 6 + 7 * beta * beta * beta / 360
+                                     : 1 / std::sin(beta) - 1 / beta;
+    const Complex bent = product(product(x, x), log1p_defect(map_.kappa() * x));
+    const Complex d = map_.inverse_direction(), stretch = 1. + map_.kappa() * x;
+    Analytic<Order> f{minus_i_times(slope * x + scale * bent)};
+    if constexpr (Order >= 1)
+      f[1] = minus_i_times(product(d, slope + scale * x / stretch));
+    if constexpr (Order >= 2)
+      f[2] = minus_i_times(scale * product(d, d) / (stretch * stretch));
+    return f;
+  }
+
+  std::size_t side_[2], target_[2];
+  double inverse_length_[2];
+  double abscissa_[2]; // along the side, of the point from which X1 or X2 is measured
+  Strip_map map_;
+  Interval range_;
+  int degree_;
+  double resolution_;
+};
+
+} // namespace harmonic
+} // namespace internal
+} // namespace Multisided_patches
+} // namespace CGAL
+
+#endif // CGAL_MULTISIDED_PATCHES_COORDINATES_INTERNAL_HARMONIC_CHANNEL_CELL_H

@@ -1,0 +1,62 @@
+// Copyright (c) 2026 The CGAL Multisided Patches project.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_MULTISIDED_PATCHES_COORDINATES_INTERNAL_HARMONIC_INTERIOR_CELL_H
+#define CGAL_MULTISIDED_PATCHES_COORDINATES_INTERNAL_HARMONIC_INTERIOR_CELL_H
+
+#include <CGAL/Multisided_patches/coordinates/internal/harmonic/analytic_functions.h>
+
+
+namespace CGAL {
+namespace Multisided_patches {
+namespace internal {
+namespace harmonic {
+
+// A part of the domain around a point inside it. There, a harmonic function is the real part of a
+// power series, which converges up to the boundary: basis 1, Re zeta^j, -Im zeta^j, j = 1..degree,
+// with zeta = (z - centre) / radius.
+class Interior_cell {
+public:
+  Interior_cell(const Complex& centre, double radius, int degree)
+      : centre_(centre), radius_(radius), degree_(degree) {}
+
+  int size() const { return 2 * degree_ + 1; }
+  // how fast the basis oscillates: radians per unit of length
+  double resolution() const { return degree_ / radius_; }
+
+  template <int Order>
+  void basis(const Complex& z, Analytic<Order>* f) const {
+    const Complex zeta = (z - centre_) / radius_;
+    f[0] = {Complex(1)};
+    std::array<Complex, 3> power{1, 0, 0}; // zeta^j, zeta^{j-1}, zeta^{j-2}
+    for (int j = 1; j <= degree_; ++j) {
+      power = {product(power[0], zeta), power[0], power[1]};
+      Analytic<Order>&re = f[2 * j - 1], &im = f[2 * j];
+      double factor = 1;
+      for (int k = 0; k <= Order; factor *= (j - k) / radius_, ++k) {
+        re[k] = factor * power[k];
+        im[k] = -minus_i_times(re[k]);
+      }
+    }
+  }
+
+  // No side, no boundary values.
+  template <int Order>
+  std::size_t hats(const Complex&, Hat_term<Order>*) const {
+    return 0;
+  }
+
+private:
+  Complex centre_;
+  double radius_;
+  int degree_;
+};
+
+} // namespace harmonic
+} // namespace internal
+} // namespace Multisided_patches
+} // namespace CGAL
+
+#endif // CGAL_MULTISIDED_PATCHES_COORDINATES_INTERNAL_HARMONIC_INTERIOR_CELL_H

@@ -1,0 +1,61 @@
+// Copyright (c) 2026 The CGAL Multisided Patches project.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef MULTIPATCH_COMMANDS_H
+#define MULTIPATCH_COMMANDS_H
+
+#include <CGAL/Multisided_patches/patches/Concave_bezier_model_3.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+namespace multipatch {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Model = CGAL::Multisided_patches::Concave_bezier_model_3<Kernel>;
+
+enum class Coordinates_choice { harmonic, mean_value, wachspress };
+
+const char* to_string(Coordinates_choice choice);
+
+// What a user may say about a patch beyond what its file says.
+struct Patch_options {
+  std::string input;
+  std::optional<CGAL::Multisided_patches::Domain_generator> domain;
+  std::optional<double> clearance;
+  std::optional<CGAL::Multisided_patches::Central_weight> central_weight;
+  Coordinates_choice coordinates = Coordinates_choice::harmonic;
+};
+
+struct Mesh_options {
+  Patch_options patch;
+  std::string output;
+  std::optional<double> edge_length;
+  std::optional<std::size_t> triangles;
+  std::string report;
+  bool quiet = false;
+};
+
+struct Domain_picture_options {
+  Patch_options patch;
+  std::string output;
+  std::size_t side = 0;
+  std::size_t coordinate = 0;
+};
+
+// Reads the input file and lets the options override what it says.
+Model read_model(const Patch_options& options);
+
+// The three commands. They throw CGAL::Multisided_patches::Error on bad input.
+void mesh_command(const Mesh_options& options);
+void info_command(const std::string& input);
+void domain_command(const Domain_picture_options& options);
+
+} // namespace multipatch
+
+#endif // MULTIPATCH_COMMANDS_H

@@ -1,0 +1,68 @@
+// Copyright (c) 2026 The CGAL Multisided Patches project.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "commands.h"
+
+#include <CGAL/Multisided_patches/domains/make_domain.h>
+
+#include <cmath>
+#include <cstdio>
+
+namespace multipatch {
+
+namespace MP = CGAL::Multisided_patches;
+
+namespace {
+
+double degrees(double radians) {
+  return radians * 180 / MP::internal::pi;
+}
+
+void print_ribbons(const Model& model) {
+  std::printf("%4s %7s %7s %14s   %-9s %10s %15s\n", "side", "degree", "layers", "length", "corner",
+              "angle", "plane mismatch");
+  for (std::size_t i = 0; i < model.loop.size(); ++i) {
+    const auto& ribbon = model.loop[i];
+    std::printf("%4zu %7zu %7zu %14.6g   %-9s %10.2f %15.2g\n", i, ribbon.degree(), ribbon.layers(),
+                ribbon.arc_length(), to_string(model.loop.corner_type(i)),
+                degrees(model.loop.corner_angle(i)), degrees(model.loop.corner_normal_mismatch(i)));
+  }
+  std::printf("Corner i is where side i starts; angles are interior, in degrees. The mismatch is "
+              "the\nangle between the tangent planes of the two ribbons at the corner.\n");
+}
+
+void print_domain(const MP::Domain_report& report) {
+  std::printf("Domain: %s, clearance %.4g (wanted %.4g)\n", to_string(report.used),
+              report.clearance, report.wanted_clearance);
+  for (const auto& remark : report.remarks)
+    std::printf("  %s: %s\n", to_string(remark.generator), remark.reason.c_str());
+}
+
+} // namespace
+
+void info_command(const std::string& input) {
+  Patch_options options;
+  options.input = input;
+  const Model model = read_model(options);
+  const auto generated = MP::make_domain(model.loop, model.domain);
+
+  const CGAL::Bbox_3& box = model.loop.bbox();
+  std::printf("%s: %zu sides; corners: %zu convex, %zu reflex, %zu straight\n", input.c_str(),
+              model.loop.size(), model.loop.number_of_corners(MP::Corner_type::convex),
+              model.loop.number_of_corners(MP::Corner_type::reflex),
+              model.loop.number_of_corners(MP::Corner_type::straight));
+  std::printf("Control points within (%g, %g, %g) and (%g, %g, %g), diagonal %g\n", box.xmin(),
+              box.ymin(), box.zmin(), box.xmax(), box.ymax(), box.zmax(), model.loop.diagonal());
+  std::printf("Central weight: %s; domain asked for: %s; parameter dilation: %g\n",
+              to_string(model.central_weight), to_string(model.domain.generator),
+              model.parameter_dilation);
+  if (!model.corner_control_points.empty())
+    std::printf("Extra corner control points: %zu (kept in files, not used by the patch)\n",
+                model.corner_control_points.size());
+  print_ribbons(model);
+  print_domain(generated.report);
+}
+
+} // namespace multipatch

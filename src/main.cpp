@@ -1,0 +1,152 @@
+// Copyright (c) 2026 The CGAL Multisided Patches project.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "commands.h"
+
+#include <CGAL/Multisided_patches/errors.h>
+
+#include <CLI/CLI.hpp>
+
+#include <cstdlib>
+#include <iostream>
+#include <map>
+#include <new>
+
+// What the program returns to the shell.
+enum Exit_code { success = 0, failure = 1, wrong_usage = 2 };
+
+namespace {
+
+namespace MP = CGAL::Multisided_patches;
+using namespace multipatch;
+
+void add_patch_options(CLI::App& command, Patch_options& options) {
+  static const std::map<std::string, MP::Domain_generator> domains{
+      {"automatic", MP::Domain_generator::automatic},
+      {"projected", MP::Domain_generator::projected},
+      {"similarity", MP::Domain_generator::similarity},
+      {"similarity-outer", MP::Domain_generator::similarity_outer},
+      {"circular", MP::Domain_generator::circular},
+      {"regular", MP::Domain_generator::regular}};
+  static const std::map<std::string, Coordinates_choice> coordinates{
+      {"harmonic", Coordinates_choice::harmonic},
+      {"mean-value", Coordinates_choice::mean_value},
+      {"wachspress", Coordinates_choice::wachspress}};
+  static const std::map<std::string, MP::Central_weight> central_weights{
+      {"weight-deficiency", MP::Central_weight::weight_deficiency},
+      {"none", MP::Central_weight::none},
+      {"adjacent-products", MP::Central_weight::adjacent_products},
+      {"full-product", MP::Central_weight::full_product}};
+
+  command.add_option("INPUT", options.input, "the patch, a .cgb file")->required();
+  command
+      .add_option("--domain", options.domain,
+                  "how to make the planar domain (default: as the file says):\n"
+                  "automatic, projected, similarity, similarity-outer, circular, regular")
+      ->transform(CLI::CheckedTransformer(domains).description(""))
+      ->type_name("NAME");
+  command
+      .add_option("--clearance", options.clearance,
+                  "wanted distance between sides that share no corner, as a fraction of\n"
+                  "the domain's size (default: as the file says)")
+      ->check(CLI::Range(0.0, 1.0).description(""))
+      ->type_name("X");
+  command
+      .add_option("--coordinates", options.coordinates,
+                  "barycentric coordinates: harmonic (default, any domain), mean-value\n"
+                  "(any domain), wachspress (convex domains)")
+      ->transform(CLI::CheckedTransformer(coordinates).description(""))
+      ->type_name("NAME");
+  command
+      .add_option("--central-weight", options.central_weight,
+                  "weight of the central control point (default: as the file says):\n"
+                  "weight-deficiency, none, adjacent-products, full-product")
+      ->transform(CLI::CheckedTransformer(central_weights).description(""))
+      ->type_name("NAME");
+}
+
+void add_mesh_command(CLI::App& app, Mesh_options& options) {
+  CLI::App& command = *app.add_subcommand("mesh", "make a triangle mesh of a patch");
+  add_patch_options(command, options.patch);
+  command
+      .add_option("-o,--output", options.output,
+                  "the mesh to write; the name ends in .ply, .obj, .off or .stl")
+      ->required()
+      ->type_name("FILE");
+  auto* length = command
+                     .add_option("--edge-length", options.edge_length,
+                                 "target length of the edges, in the units of the model")
+                     ->type_name("X");
+  command
+      .add_option("--triangles", options.triangles, "target number of triangles (default: 10000)")
+      ->type_name("N")
+      ->excludes(length);
+  command
+      .add_option("--report", options.report,
+                  "write counts, the domain and how it came about, timings and the\n"
+                  "deviation of the boundary to a JSON file")
+      ->type_name("FILE");
+  command.add_flag("-q,--quiet", options.quiet, "print nothing but errors");
+  command.callback([&options] { mesh_command(options); });
+}
+
+void add_info_command(CLI::App& app, std::string& input) {
+  CLI::App& command =
+      *app.add_subcommand("info", "print the sides and corners of a patch, and its domain");
+  command.add_option("INPUT", input, "the patch, a .cgb file")->required();
+  command.callback([&input] { info_command(input); });
+}
+
+void add_domain_command(CLI::App& app, Domain_picture_options& options) {
+  CLI::App& command = *app.add_subcommand(
+      "domain", "draw the domain of a patch, with isolines of its side parameters and coordinates");
+  add_patch_options(command, options.patch);
+  command.add_option("-o,--output", options.output, "the picture to write, an .svg file")
+      ->required()
+      ->type_name("FILE");
+  command.add_option("--side", options.side, "the side whose s and h are drawn (default: 0)")
+      ->type_name("I");
+  command
+      .add_option("--coordinate", options.coordinate,
+                  "the vertex whose coordinate is drawn (default: 0)")
+      ->type_name("I");
+  command.callback([&options] { domain_command(options); });
+}
+
+int report_error(const std::string& message) {
+  std::cerr << "multipatch: " << message << '\n';
+  return failure;
+}
+
+} // namespace
+
+int main(int argc, char* argv[]) {
+  CLI::App app(
+      "Smooth surfaces that fill loops of Bezier ribbons with any number of sides, some of "
+      "whose\ncorners may turn inwards.\n");
+  app.name("multipatch");
+  app.footer("Example:  multipatch mesh bracket.cgb -o bracket.ply --triangles 20000\n"
+             "Help on a command:  multipatch mesh --help");
+  app.set_version_flag("--version", "multipatch " MULTIPATCH_VERSION);
+  app.require_subcommand(1);
+
+  Mesh_options mesh;
+  std::string info_input;
+  Domain_picture_options domain;
+  add_mesh_command(app, mesh);
+  add_info_command(app, info_input);
+  add_domain_command(app, domain);
+
+  try {
+    app.parse(argc, argv);
+    return success;
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? success : wrong_usage;
+  } catch (const std::bad_alloc&) {
+    return report_error("not enough memory");
+  } catch (const std::exception& error) {
+    return report_error(error.what());
+  }
+}
