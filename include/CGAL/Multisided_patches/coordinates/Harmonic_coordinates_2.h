@@ -94,8 +94,9 @@ public:
   }
 
   /*!
-   * an estimate, on the safe side in all experiments, of the largest error of any value: three
-   * times the largest jump measured between neighbouring cells.
+   * an estimate, on the safe side in all experiments, of the largest error of any value: the
+   * largest jump of value or scaled normal derivative that was measured between neighbouring cells,
+   * times 4, or more if the cells differ greatly in size.
    */
   double error_bound() const { return error_bound_; }
 
@@ -162,8 +163,8 @@ private:
     for (int round = 0; round < max_rounds && error_bound_ > target_error; ++round) {
       tau = (std::min)(tau_max, (std::max)(tau_min, tau));
       internal::harmonic::Solution s = internal::harmonic::solve_laplace(boundary, mesh, tau);
-      if (3 * s.jump < error_bound_) {
-        error_bound_ = 3 * s.jump;
+      if (s.error < error_bound_) {
+        error_bound_ = s.error;
         basis_ = std::move(s.basis);
       }
       if (tau == tau_min)

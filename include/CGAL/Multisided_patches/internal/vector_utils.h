@@ -8,6 +8,8 @@
 
 #include <CGAL/number_utils.h>
 
+#include <boost/math/constants/constants.hpp>
+
 #include <array>
 #include <cmath>
 
@@ -17,6 +19,8 @@ namespace internal {
 
 // Directions, lengths and angles need square roots and trigonometry, so they are computed in double
 // whatever the kernel is.
+constexpr double pi = boost::math::constants::pi<double>();
+
 using Vec3 = std::array<double, 3>;
 
 template <typename Vector_3>

@@ -76,7 +76,9 @@ private:
 };
 
 // Throws Error if a file of this name cannot be made; leaves no trace.
-inline void check_writable(const std::string& file_name) { Atomic_file probe(file_name); }
+inline void check_writable(const std::string& file_name) {
+  Atomic_file probe(file_name);
+}
 
 } // namespace internal
 } // namespace Multisided_patches

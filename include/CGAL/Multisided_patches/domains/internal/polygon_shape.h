@@ -6,9 +6,9 @@
 #ifndef CGAL_MULTISIDED_PATCHES_DOMAINS_INTERNAL_POLYGON_SHAPE_H
 #define CGAL_MULTISIDED_PATCHES_DOMAINS_INTERNAL_POLYGON_SHAPE_H
 
-#include <CGAL/number_utils.h>
+#include <CGAL/Multisided_patches/internal/vector_utils.h>
 
-#include <boost/math/constants/constants.hpp>
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
@@ -20,8 +20,6 @@
 namespace CGAL {
 namespace Multisided_patches {
 namespace internal {
-
-constexpr double pi = boost::math::constants::pi<double>();
 
 // A closed polygon that a generator has drawn, not yet known to be valid.
 using Vec2 = std::array<double, 2>;

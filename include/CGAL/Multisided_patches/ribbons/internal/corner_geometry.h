@@ -9,8 +9,6 @@
 #include <CGAL/Multisided_patches/internal/vector_utils.h>
 #include <CGAL/Multisided_patches/ribbons/Corner_type.h>
 
-#include <boost/math/constants/constants.hpp>
-
 #include <cstddef>
 
 namespace CGAL {
@@ -18,7 +16,7 @@ namespace Multisided_patches {
 namespace internal {
 
 // Corners that turn by less than this (radians, 1 degree) count as straight.
-constexpr double straight_turn = boost::math::constants::degree<double>();
+constexpr double straight_turn = pi / 180;
 
 // The direction in which the boundary curve leaves its first (or arrives at its last) point:
 // towards the nearest control point that differs from it. The zero vector if all points coincide.
@@ -75,7 +73,6 @@ Corner_geometry corner_geometry(const Ribbon& in, const Ribbon& out, const Vec3&
   const double turn = angle_between(arriving, leaving);
   const Vec3 up = norm(corner.normal) > 0 ? corner.normal : fallback_normal;
   const bool left = dot(up, cross(arriving, leaving)) >= 0;
-  const double pi = boost::math::constants::pi<double>();
   corner.angle = left ? pi - turn : pi + turn;
   corner.type = turn < straight_turn ? Corner_type::straight
                 : left               ? Corner_type::convex

@@ -84,7 +84,7 @@ private:
   // A power series may reach this far, relative to its radius of convergence.
   static constexpr double max_ratio = 0.6;
   // The most terms at a corner; they decide how far its cell reaches.
-  static constexpr int max_corner_size = 40;
+  static constexpr int max_corner_size = 60;
 
   static bool contains(const Half_plane& h, const Triangle_points& t) {
     return h.contains(t[0]) && h.contains(t[1]) && h.contains(t[2]);

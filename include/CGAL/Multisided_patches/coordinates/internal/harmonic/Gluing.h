@@ -33,7 +33,7 @@ public:
   // whether every cell has at least as many equations as unknowns
   bool is_overdetermined() const {
     for (std::size_t c = 0; c < sizes_.size(); ++c)
-      if (stack_rows(c).rows() < sizes_[c])
+      if (height(c) < sizes_[c])
         return false;
     return true;
   }
@@ -65,11 +65,15 @@ public:
   }
 
 private:
+  std::size_t height(std::size_t c) const {
+    std::size_t sum = 0;
+    for_each_part(c, [&](const Matrix& part) { sum += part.rows(); });
+    return sum;
+  }
+
   // all rows of a cell, in the order of the interfaces
   Matrix stack_rows(std::size_t c) const {
-    std::size_t height = 0;
-    for_each_part(c, [&](const Matrix& part) { height += part.rows(); });
-    Matrix all(height, sizes_[c]);
+    Matrix all(height(c), sizes_[c]);
     std::size_t row = 0;
     for_each_part(c, [&](const Matrix& part) {
       for (std::size_t j = 0; j < sizes_[c]; ++j)

@@ -1,0 +1,110 @@
+// Copyright (c) 2026 The CGAL Multisided Patches project.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "catch.h"
+#include "fixtures.h"
+
+using namespace fixtures;
+using Catch::Matchers::Contains;
+using MP::Corner_type;
+
+namespace {
+
+double flat(double, double) {
+  return 0;
+}
+double bowl(double x, double y) {
+  return 0.2 * (x * x - y * y) + 0.1 * x;
+}
+
+std::vector<Ribbon> l_ribbons() {
+  return lifted_loop(l_shape(), flat).ribbons();
+}
+
+Ribbon with_point(const Ribbon& r, std::size_t index, const Point_3& p) {
+  std::vector<Point_3> points = r.control_points();
+  points[index] = p;
+  return Ribbon(r.degree(), r.layers(), points);
+}
+
+} // namespace
+
+TEST_CASE("Corners of a loop are convex and reflex where those of its plan are") {
+  for (const auto& polygon : {l_shape(), u_shape()})
+    for (const auto& height : {flat, bowl}) {
+      const Loop loop = lifted_loop(polygon, height);
+      const Domain plan(polygon);
+      for (std::size_t i = 0; i < loop.size(); ++i)
+        CHECK(loop.corner_type(i) == plan.corner_type(i));
+    }
+}
+
+TEST_CASE("Corner angles of a flat loop are those of its plan") {
+  const Loop loop = lifted_loop(l_shape(), flat);
+  const double right = MP::internal::pi / 2;
+  for (std::size_t i = 0; i < 6; ++i) {
+    CHECK(loop.corner_angle(i) == Approx(i == 3 ? 3 * right : right));
+    CHECK(loop.corner_normal(i) == Vector_3(0, 0, 1));
+    CHECK(loop.corner_normal_mismatch(i) == 0);
+  }
+  CHECK(loop.number_of_corners(Corner_type::reflex) == 1);
+}
+
+TEST_CASE("Corner angles do not change when a loop is moved, turned over and scaled") {
+  const Loop loop = lifted_loop(u_shape(), bowl);
+  std::vector<Ribbon> moved;
+  for (const Ribbon& r : loop.ribbons()) {
+    std::vector<Point_3> points;
+    for (const Point_3& p : r.control_points())
+      points.emplace_back(1e5 + 1e3 * p.y(), 1e3 * p.z(), 1e3 * p.x()); // a rotation
+    moved.emplace_back(r.degree(), r.layers(), points);
+  }
+  const Loop other(moved);
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    CHECK(other.corner_type(i) == loop.corner_type(i));
+    CHECK(other.corner_angle(i) == Approx(loop.corner_angle(i)).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("A corner in the middle of a straight side is straight") {
+  const Loop loop = lifted_loop({{0, 0}, {1, 0}, {2, 0}, {2, 2}, {0, 2}}, flat);
+  CHECK(loop.corner_type(1) == Corner_type::straight);
+  CHECK(loop.number_of_corners(Corner_type::straight) == 1);
+}
+
+TEST_CASE("Without cross-derivatives the boundary as a whole tells which corners are reflex") {
+  std::vector<Ribbon> ribbons;
+  const auto plan = l_shape();
+  for (std::size_t i = 0; i < 6; ++i) {
+    const Point_2 &a = plan[i], &b = plan[(i + 1) % 6];
+    ribbons.emplace_back(1, 1, std::vector<Point_3>{{a.x(), a.y(), 0}, {b.x(), b.y(), 0}});
+  }
+  const Loop loop(ribbons);
+  for (std::size_t i = 0; i < 6; ++i)
+    CHECK(loop.corner_type(i) == (i == 3 ? Corner_type::reflex : Corner_type::convex));
+  CHECK(loop.corner_normal(0) == CGAL::NULL_VECTOR);
+}
+
+TEST_CASE("A loop that does not close is refused with the side at which it is open") {
+  auto ribbons = l_ribbons();
+  ribbons[2] = with_point(ribbons[2], 3, Point_3(1, 1, 0.01));
+  CHECK_THROWS_WITH(Loop(ribbons), Contains("does not close") && Contains("side 2"));
+}
+
+TEST_CASE("A gap below the tolerance is closed exactly") {
+  auto ribbons = l_ribbons();
+  ribbons[2] = with_point(ribbons[2], 3, Point_3(1, 1, 1e-10));
+  const Loop loop(ribbons);
+  CHECK(loop[2].control_point(3, 0) == loop[3].control_point(0, 0));
+  CHECK_THROWS_AS(Loop(ribbons, 1e-12), MP::Input_error);
+}
+
+TEST_CASE("Loops of two ribbons and sides that are single points are refused") {
+  auto ribbons = l_ribbons();
+  CHECK_THROWS_WITH(Loop({ribbons[0], ribbons[1]}), Contains("at least 3"));
+  const Point_3 p(2, 0, 0);
+  ribbons.insert(ribbons.begin() + 1, Ribbon(2, 1, {p, p, p}));
+  CHECK_THROWS_WITH(Loop(ribbons), Contains("side 1") && Contains("single point"));
+}
