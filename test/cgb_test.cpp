@@ -1,0 +1,526 @@
+// Copyright (c) 2026 The CGAL Multisided Patches project.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "catch.h"
+#include "fixtures.h"
+
+#include <CGAL/Multisided_patches/IO/CGB.h>
+#include <CGAL/Multisided_patches/IO/surface_mesh.h>
+#include <CGAL/Multisided_patches/meshing/tessellate.h>
+#include <CGAL/Multisided_patches/patches/Concave_bezier_patch_3.h>
+
+#include <CGAL/Surface_mesh.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <locale>
+#include <random>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+using namespace fixtures;
+using Catch::Matchers::Contains;
+using Catch::Matchers::StartsWith;
+using Model = MP::Concave_bezier_model_3<Kernel>;
+using Mesh = CGAL::Surface_mesh<Point_3>;
+using Vertex = Mesh::Vertex_index;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// A new directory that is removed with all that is in it.
+class Scratch_directory {
+public:
+  Scratch_directory()
+      : path_(fs::temp_directory_path() / ("cgb_test" + std::to_string(std::random_device{}()))) {
+    fs::create_directories(path_);
+  }
+  Scratch_directory(const Scratch_directory&) = delete;
+  Scratch_directory& operator=(const Scratch_directory&) = delete;
+  ~Scratch_directory() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+
+  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+  std::vector<std::string> files() const {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(path_))
+      names.push_back(entry.path().filename().string());
+    return names;
+  }
+
+private:
+  fs::path path_;
+};
+
+std::string contents(const std::string& file_name) {
+  std::ifstream in(file_name, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+// Numbers as a country may write them: 1.234.567,8
+struct Decimal_comma : std::numpunct<char> {
+  char do_decimal_point() const override { return ','; }
+  char do_thousands_sep() const override { return '.'; }
+  std::string do_grouping() const override { return "\3"; }
+};
+
+const std::locale decimal_comma(std::locale::classic(), new Decimal_comma);
+
+// The locale of new streams, for a while.
+class Global_locale {
+public:
+  explicit Global_locale(const std::locale& locale) : before_(std::locale::global(locale)) {}
+  Global_locale(const Global_locale&) = delete;
+  Global_locale& operator=(const Global_locale&) = delete;
+  ~Global_locale() { std::locale::global(before_); }
+
+private:
+  std::locale before_;
+};
+
+// Three sides with degrees 1, 2, 1 and 1, 1, 2 layers, and two extra corner control points.
+const std::string valid_text = R"(0
+2
+0.05
+0.1
+3
+1 1 0.5
+1 1
+0 0 0
+4 0 0
+2 1
+4 0 0
+3 3 0
+0 4 0
+1 2
+0 4 0
+0 0 0
+1 3 0.5
+1 1 0.5
+2
+2 0 0 0.1
+0 1 0 0.1
+)";
+
+std::vector<std::string> valid_lines() {
+  std::vector<std::string> lines;
+  std::istringstream in(valid_text);
+  for (std::string line; std::getline(in, line);)
+    lines.push_back(line);
+  return lines;
+}
+
+std::string joined(const std::vector<std::string>& lines, const std::string& separator = "\n") {
+  std::string text;
+  for (const auto& line : lines)
+    text += line + separator;
+  return text;
+}
+
+std::vector<std::string> valid_tokens() {
+  std::istringstream in(valid_text);
+  return {std::istream_iterator<std::string>(in), {}};
+}
+
+Model read(const std::string& text) {
+  std::istringstream in(text);
+  return MP::IO::read_CGB<Kernel>(in, "x.cgb");
+}
+
+std::string written(const Model& model) {
+  std::ostringstream out;
+  MP::IO::write_CGB(out, model);
+  return out.str();
+}
+
+// The message of the error that reading a text throws, which is short and printable whatever the
+// text is.
+std::string error_of(const std::string& text) {
+  try {
+    read(text);
+  } catch (const MP::Input_error& error) {
+    const std::string message = error.what();
+    CHECK(message.size() < 200);
+    for (const char c : message)
+      CHECK((c >= 32 && c < 127));
+    return message;
+  }
+  return "no error";
+}
+
+// All that a model says, so that two models are the same if and only if these are.
+std::vector<std::uint64_t> bits(const Model& model) {
+  std::vector<std::uint64_t> result;
+  const auto add = [&](auto... values) { (result.push_back(std::uint64_t(values)), ...); };
+  const auto add_double = [&](double x) { std::memcpy(&result.emplace_back(), &x, sizeof x); };
+  const auto add_point = [&](const Point_3& p) {
+    for (int i = 0; i < 3; ++i)
+      add_double(p[i]);
+  };
+  add(model.central_weight, model.domain.generator, model.loop.size());
+  add_double(model.domain.clearance);
+  add_double(model.parameter_dilation);
+  add_point(model.central_point.value());
+  for (const Ribbon& ribbon : model.loop.ribbons()) {
+    add(ribbon.degree(), ribbon.layers());
+    std::for_each(ribbon.control_points().begin(), ribbon.control_points().end(), add_point);
+  }
+  for (const auto& corner : model.corner_control_points) {
+    add(corner.index);
+    add_point(corner.point);
+  }
+  return result;
+}
+
+Mesh l_shaped_mesh() {
+  const auto height = [](double x, double y) { return std::sin(x) * y / 3; };
+  Mesh mesh;
+  MP::tessellate(MP::Concave_bezier_patch_3<Kernel>(lifted_loop(l_shape(), height)), mesh,
+                 MP::Mesh_density::triangles(2500));
+  return mesh;
+}
+
+template <typename T>
+auto vertex_map(const Mesh& mesh, const std::string& name) {
+  return MP::internal::find_property_map<Vertex, T>(mesh, name);
+}
+
+} // namespace
+
+TEST_CASE("The entries of a .cgb file arrive where they belong") {
+  const Model model = read(valid_text);
+  CHECK(model.central_weight == MP::Central_weight::weight_deficiency);
+  CHECK(model.domain.generator == MP::Domain_generator::similarity_outer);
+  CHECK(model.domain.clearance == 0.05);
+  CHECK(model.parameter_dilation == 0.1);
+  CHECK(model.central_point == Point_3(1, 1, 0.5));
+  REQUIRE(model.loop.size() == 3);
+  CHECK(model.loop[1].degree() == 2);
+  CHECK(model.loop[1].control_point(1, 0) == Point_3(3, 3, 0));
+  CHECK(model.loop[2].layers() == 2);
+  CHECK(model.loop[2].control_point(0, 1) == Point_3(1, 3, 0.5));
+  REQUIRE(model.corner_control_points.size() == 2);
+  CHECK(model.corner_control_points[0].index == 2);
+  CHECK(model.corner_control_points[1].point == Point_3(1, 0, 0.1));
+}
+
+TEST_CASE("White space of any kind separates the numbers of a .cgb file") {
+  const Model model = read(valid_text);
+  for (const std::string separator : {"\r\n", " ", "\t\t", "\n\n  \n", "\v\f", "\r"})
+    CHECK(bits(read(joined(valid_lines(), separator))) == bits(model));
+  CHECK(bits(read("\n +" + valid_text)) == bits(model));
+}
+
+TEST_CASE("A model that is written is read back bit for bit") {
+  const unsigned seed = GENERATE(range(1u, 21u));
+  CAPTURE(seed);
+  Random random(seed);
+  const std::size_t n = random.integer(3, 9);
+  Model model(random_loop(random, n, 0.02));
+  model.central_weight = MP::IO::internal::central_weights[seed % 4];
+  model.domain.generator = MP::IO::internal::domain_types[seed / 4 % 4];
+  model.domain.clearance = random.in(0, 1);
+  model.parameter_dilation = random.in(-2, 2);
+  model.central_point = Point_3(-0.0, random.in(-1, 1) * 1e-300, 1 / 3.0);
+  for (std::size_t k = random.integer(0, n); k > 0; --k)
+    model.corner_control_points.push_back(
+        {random.integer(0, n - 1), Point_3(random.in(-1e9, 1e9), 5e-324, 1e300)});
+
+  CHECK(bits(read(written(model))) == bits(model));
+  const Scratch_directory directory;
+  MP::IO::write_CGB(directory / "model.cgb", model);
+  CHECK(bits(MP::IO::read_CGB<Kernel>(directory / "model.cgb")) == bits(model));
+  CHECK(contents(directory / "model.cgb") == written(model));
+}
+
+TEST_CASE("What the .cgb format cannot say is written as its closest choice") {
+  Model model = read(valid_text);
+  model.central_point.reset();
+  model.domain.generator = GENERATE(MP::Domain_generator::automatic, MP::Domain_generator::circular,
+                                    MP::Domain_generator::regular);
+  const Model again = read(written(model));
+  CHECK(again.domain.generator == MP::Domain_generator::similarity);
+  CHECK(again.central_point == model.default_central_point());
+}
+
+TEST_CASE("A model is written alike whatever the format flags and the locale of the stream") {
+  const Model model = read(valid_text);
+  std::ostringstream out;
+  out.imbue(decimal_comma);
+  out << std::fixed << std::showpos << std::hex;
+  out.precision(2);
+  MP::IO::write_CGB(out, model);
+  CHECK(out.str() == written(model));
+  CHECK(out.precision() == 2);
+
+  const Global_locale foreign(decimal_comma);
+  const Scratch_directory directory;
+  MP::IO::write_CGB(directory / "model.cgb", model);
+  CHECK(contents(directory / "model.cgb") == written(model));
+}
+
+TEST_CASE("A bad entry of a .cgb file is an error that says where it is and what was expected") {
+  struct Row {
+    std::string what;
+    std::size_t line;
+    std::string text, expected;
+  };
+  const Row rows[] = {
+      {"central weight too large", 1, "4", "the central weight, an integer from 0 to 3, found '4'"},
+      {"negative central weight", 1, "-1", "the central weight"},
+      {"fractional central weight", 1, "1.5", "the central weight, an integer from 0 to 3"},
+      {"a byte order mark", 1, "\xef\xbb\xbf\x30", "the central weight"},
+      {"domain type too large", 2, "4", "the domain type, an integer from 0 to 3, found '4'"},
+      {"negative domain type", 2, "-1", "the domain type"},
+      {"fractional domain type", 2, "1.5", "the domain type"},
+      {"negative tolerance", 3, "-0.1", "a domain tolerance that is not negative"},
+      {"tolerance NaN", 3, "nan", "the domain tolerance, a finite number, found 'nan'"},
+      {"infinite dilation", 4, "inf", "the parameter dilation, a finite number, found 'inf'"},
+      {"two signs", 4, "+-0.5", "the parameter dilation"},
+      {"n = 0", 5, "0", "the number of sides, an integer from 3 to 1000, found '0'"},
+      {"n = 1", 5, "1", "the number of sides"},
+      {"n = 2", 5, "2", "the number of sides"},
+      {"n = 10^9", 5, "1000000000", "the number of sides, an integer from 3 to 1000"},
+      {"n beyond 64 bits", 5, "99999999999999999999", "the number of sides"},
+      {"negative n", 5, "-3", "the number of sides"},
+      {"n with a point", 5, "3.0", "the number of sides"},
+      {"n in hexadecimal", 5, "0x3", "the number of sides"},
+      {"n as a word", 5, "three", "the number of sides"},
+      {"n is NaN", 5, "NaN", "the number of sides"},
+      {"a remark", 5, "3 # sides", "x of the central control point, a finite number, found '#'"},
+      {"a coordinate NaN", 6, "1 nan 0", "y of the central control point"},
+      {"degree 0", 7, "0 1", "the degree of side 0, an integer from 1 to 100, found '0'"},
+      {"a coordinate beyond double", 8, "1e999 0 0", "x of point 0 in row 0 of side 0, a finite"},
+      {"an infinite coordinate", 9, "4 0 -inf", "z of point 1 in row 0 of side 0"},
+      {"a NUL byte", 9, std::string("4 0\0 0", 6), "y of point 1 in row 0 of side 0"},
+      {"degree 10^6", 10, "1000000 1", "the degree of side 1"},
+      {"a hexadecimal coordinate", 12, "0x1p3 3 0", "x of point 1 in row 0 of side 1"},
+      {"negative degree", 14, "-1 2", "the degree of side 2"},
+      {"no layers", 14, "1 0", "the number of layers of side 2, an integer from 1 to 50"},
+      {"10^6 layers", 14, "1 1000000", "the number of layers of side 2"},
+      {"a decimal comma", 17, "1 3 0,5", "z of point 0 in row 1 of side 2"},
+      {"a lone sign", 18, "+ 1 0.5", "x of point 1 in row 1 of side 2"},
+      {"half an exponent", 18, "1 1e 0.5", "y of point 1 in row 1 of side 2"},
+      {"negative k", 19, "-1", "the number of extra corner control points"},
+      {"k > n", 19, "4", "the number of extra corner control points, an integer from 0 to 3"},
+      {"a negative corner index", 20, "-1 0 0 0", "the index of extra corner control point 0"},
+      {"a corner index out of range", 21, "3 1 0 0", "the index of extra corner control point 1"},
+      {"a word at the end", 21, "0 1 0 0.1 end", "the end of the file, found 'end'"},
+  };
+  for (const Row& row : rows) {
+    std::vector<std::string> lines = valid_lines();
+    lines[row.line - 1] = row.text;
+    INFO(row.what);
+    CHECK_THAT(error_of(joined(lines)),
+               StartsWith("x.cgb:" + std::to_string(row.line) + ": expected " + row.expected));
+  }
+}
+
+TEST_CASE("Numbers of a .cgb file that do not fit together are an error") {
+  struct Row {
+    std::string what;
+    std::vector<std::pair<std::size_t, std::string>> changes; // line and what it becomes
+    std::string message;
+  };
+  const Row rows[] = {
+      {"a point too few", {{12, ""}}, ":15: expected the number of layers of side 2"},
+      {"k too large", {{19, "3"}}, ":22: expected the index of extra corner control point 2"},
+      {"k too small", {{19, "1"}}, ":21: expected the end of the file, found '0'"},
+      {"a gap after side 0", {{11, "4 1 0"}}, ": the loop does not close: side 0 ends 1"},
+      {"a gap after side 2", {{16, "0 0 2"}}, ": the loop does not close: side 2 ends 2"},
+      {"a tiny gap", {{11, "4 0 2e-8"}}, ": the loop does not close: side 0 ends 2e-08"},
+      {"a point for a side", {{13, "0 0 0"}, {15, "0 0 0"}}, ": the boundary curve of side 2 is a"},
+      {"squares overflow", {{12, "3e200 3 0"}}, ": the control points"},
+  };
+  for (const Row& row : rows) {
+    std::vector<std::string> lines = valid_lines();
+    for (const auto& [line, text] : row.changes)
+      lines[line - 1] = text;
+    INFO(row.what);
+    CHECK_THAT(error_of(joined(lines)), StartsWith("x.cgb" + row.message));
+  }
+}
+
+TEST_CASE("A .cgb file that ends too early is an error wherever it ends") {
+  const std::vector<std::string> tokens = valid_tokens();
+  for (std::size_t k = 0; k < tokens.size(); ++k) {
+    const std::string text = joined({tokens.begin(), tokens.begin() + static_cast<long>(k)});
+    CHECK_THAT(error_of(text), Contains("x.cgb:" + std::to_string(k + 1) + ": expected ") &&
+                                   Contains(", found the end of the file"));
+  }
+}
+
+TEST_CASE("A word that is not a number is an error wherever it stands in a .cgb file") {
+  for (const std::string word : {"nan", "-inf", "1e999", "0x10", "x", "-", "1e", "--1", "1_0"})
+    for (std::size_t k = 0; k < valid_tokens().size(); ++k) {
+      std::vector<std::string> tokens = valid_tokens();
+      tokens[k] = word;
+      CHECK_THAT(error_of(joined(tokens)), Contains("x.cgb:" + std::to_string(k + 1) + ": ") &&
+                                               Contains("found '" + word + "'"));
+    }
+}
+
+TEST_CASE("A file that is not a .cgb file at all is an error in its first line") {
+  std::string every_byte;
+  for (int c = 255; c >= 0; --c)
+    every_byte += static_cast<char>(c);
+  for (const std::string& text : {every_byte,
+                                  std::string("\x7f"
+                                              "ELF\x02\x01\x01\0\0\0\0",
+                                              11),
+                                  std::string(1 << 20, '1'), std::string(1 << 20, '\0'),
+                                  std::string("ply\nformat ascii 1.0\n"), std::string("{}")})
+    CHECK_THAT(error_of(text), Contains("x.cgb:1: expected "));
+  CHECK_THAT(error_of(std::string(1 << 20, '\n')), Contains("found the end of the file"));
+}
+
+TEST_CASE("Errors name the file that cannot be read or written") {
+  const Scratch_directory directory;
+  const auto message = [](const auto& f) -> std::string {
+    try {
+      f();
+    } catch (const MP::Error& error) {
+      return error.what();
+    }
+    return "no error";
+  };
+  const auto reading = [&](const std::string& name) {
+    return message([&] { MP::IO::read_CGB<Kernel>(name); });
+  };
+  const auto writing = [&](const std::string& name) {
+    return message([&] { MP::IO::write_CGB(name, read(valid_text)); });
+  };
+  const std::string missing = directory / "missing", self = directory / ".";
+  CHECK_THAT(reading(missing), Contains(missing + ": cannot be opened for reading"));
+  CHECK_THAT(reading(self), Contains(self + ": expected a file, found a directory"));
+  CHECK_THAT(writing(missing + "/x.cgb"), Contains(missing + "/x.cgb: cannot be opened"));
+  CHECK_THAT(writing(self), Contains(self + ": cannot be written: it is a directory"));
+  if (fs::exists("/dev/full"))
+    CHECK_THAT(writing("/dev/full"), Contains("/dev/full: cannot be written"));
+  CHECK(directory.files().empty());
+}
+
+TEST_CASE("A file is replaced as a whole or not at all") {
+  const Scratch_directory directory;
+  const std::string name = directory / "file";
+  MP::internal::check_writable(name);
+  CHECK(directory.files().empty());
+  for (const std::string text : {"first", "second"}) {
+    const std::string before = contents(name);
+    {
+      MP::internal::Atomic_file abandoned(name);
+      abandoned.stream() << text << std::flush;
+    }
+    CHECK(contents(name) == before);
+    MP::internal::Atomic_file file(name);
+    file.stream() << text << std::flush;
+    CHECK(contents(name) == before);
+    file.commit();
+    CHECK(contents(name) == text);
+    CHECK(directory.files() == std::vector<std::string>{"file"});
+    MP::internal::check_writable(name);
+    CHECK(contents(name) == text);
+  }
+}
+
+TEST_CASE("A .ply mesh is read back as it was, with its normals and domain points") {
+  const Scratch_directory directory;
+  const Mesh mesh = l_shaped_mesh();
+  const Global_locale locale(GENERATE(std::locale(), decimal_comma));
+  MP::IO::write_mesh(directory / "mesh.PLY", mesh);
+  for (const std::string property : {"x", "y", "z", "nx", "ny", "nz", "u", "v"})
+    CHECK_THAT(contents(directory / "mesh.PLY"), Contains("\nproperty double " + property + "\n"));
+
+  Mesh again;
+  std::ifstream in(directory / "mesh.PLY", std::ios::binary);
+  in.imbue(std::locale::classic());
+  REQUIRE(CGAL::IO::read_PLY(in, again));
+  REQUIRE(again.number_of_vertices() == mesh.number_of_vertices());
+  CHECK(again.number_of_faces() == mesh.number_of_faces());
+  CHECK(std::equal(mesh.points().begin(), mesh.points().end(), again.points().begin()));
+  const auto same = [&](const auto& a, const auto& b) {
+    REQUIRE((a && b));
+    return std::equal(a->begin(), a->end(), b->begin());
+  };
+  CHECK(same(vertex_map<Vector_3>(mesh, "v:normal"), vertex_map<Vector_3>(again, "v:normal")));
+  for (const std::string name : {"v:u", "v:v"})
+    CHECK(same(vertex_map<double>(mesh, name), vertex_map<double>(again, name)));
+}
+
+TEST_CASE("Text formats of meshes give the same doubles back, with normals") {
+  const Scratch_directory directory;
+  const Mesh mesh = l_shaped_mesh();
+  const auto normals = vertex_map<Vector_3>(mesh, "v:normal");
+  const std::size_t n = mesh.number_of_vertices();
+  {
+    const Global_locale locale(GENERATE(std::locale(), decimal_comma));
+    MP::IO::write_mesh(directory / "mesh.off", mesh);
+    MP::IO::write_mesh(directory / "mesh.obj", mesh);
+  }
+  const auto reads = [](std::istream& in, const auto& p) {
+    double x = 0, y = 0, z = 0;
+    return in >> x >> y >> z && x == p.x() && y == p.y() && z == p.z();
+  };
+  std::ifstream off(directory / "mesh.off"), obj(directory / "mesh.obj");
+  std::string header;
+  std::size_t vertices = 0, faces = 0, edges = 0, equal_vertices = 0;
+  off >> header >> vertices >> faces >> edges;
+  CHECK(header == "NOFF");
+  CHECK(vertices == n);
+  CHECK(faces == mesh.number_of_faces());
+  for (const Vertex v : mesh.vertices())
+    equal_vertices += reads(off, mesh.point(v)) && reads(off, (*normals)[v]);
+  CHECK(equal_vertices == n);
+
+  // Programs use the normals only if the faces name them: f 1//1 2//2 3//3.
+  std::size_t points = 0, directions = 0, equal = 0, faces_with_normals = 0;
+  for (std::string line; std::getline(obj, line);) {
+    std::istringstream words(line);
+    std::string key, corner;
+    words >> key;
+    if (key == "v")
+      equal += reads(words, mesh.point(Vertex(static_cast<unsigned>(points++))));
+    else if (key == "vn")
+      equal += reads(words, (*normals)[Vertex(static_cast<unsigned>(directions++))]);
+    else if (key == "f" && words >> corner)
+      faces_with_normals += corner.find("//" + corner.substr(0, corner.find('/'))) + 1 > 1;
+  }
+  CHECK(points == n);
+  CHECK(directions == n);
+  CHECK(equal == 2 * n);
+  CHECK(faces_with_normals == mesh.number_of_faces());
+}
+
+TEST_CASE("A mesh without normals is written without them") {
+  const Scratch_directory directory;
+  Mesh mesh;
+  mesh.add_face(mesh.add_vertex(Point_3(0, 0, 0)), mesh.add_vertex(Point_3(1, 0, 0)),
+                mesh.add_vertex(Point_3(0, 1 / 3.0, 0)));
+  for (const std::string extension : {"ply", "obj", "off", "stl"}) {
+    MP::IO::write_mesh(directory / ("mesh." + extension), mesh);
+    for (const std::string normals : {"NOFF", "nx", "vn", "//"})
+      CHECK_THAT(contents(directory / ("mesh." + extension)), !Contains(normals));
+  }
+  CHECK(fs::file_size(directory / "mesh.stl") == 84 + 50);
+}
+
+TEST_CASE("A mesh is not written under a name that says no format") {
+  const Scratch_directory directory;
+  for (const std::string name : {"mesh", "mesh.", "mesh.foo", "ply", ".ply", "mesh.ply.gz"}) {
+    CHECK_THROWS_AS(MP::IO::write_mesh(directory / name, Mesh()), MP::Input_error);
+    CHECK_THROWS_WITH(MP::IO::mesh_format(name), StartsWith(name + ": expected a name that ends"));
+  }
+  CHECK_THROWS_AS(MP::IO::write_mesh(directory / "no/mesh.ply", Mesh()), MP::Error);
+  CHECK(directory.files().empty());
+}

@@ -1,0 +1,309 @@
+// Copyright (c) 2026 The CGAL Multisided Patches project.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Runs the program as a user does. POSIX only.
+
+#include "catch.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <sys/wait.h>
+
+using Catch::Matchers::Contains;
+using Catch::Matchers::EndsWith;
+using Catch::Matchers::StartsWith;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string contents(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+struct Result {
+  int status; // what the program returned, -1 if it did not end by itself
+  std::string out, err;
+};
+
+// An empty directory for one test, in which the program runs.
+class Scratch {
+public:
+  explicit Scratch(const std::string& name) : path_(fs::path(PROGRAM_TEST_DIR) / name) {
+    fs::remove_all(path_);
+    fs::create_directories(path_ / "work");
+  }
+
+  fs::path operator/(const std::string& name) const { return path_ / "work" / name; }
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(*this / name, std::ios::binary) << text;
+  }
+  std::set<std::string> files() const {
+    std::set<std::string> names;
+    for (const auto& entry : fs::directory_iterator(path_ / "work"))
+      names.insert(entry.path().filename().string());
+    return names;
+  }
+
+  // The limit, in seconds, turns an endless loop into a failure.
+  Result run(const std::string& arguments) const {
+    const std::string command = "cd '" + (path_ / "work").string() + "' && ulimit -t 100 && '" +
+                                PROGRAM + "' " + arguments + " >../out 2>../err </dev/null";
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(path_ / "out"),
+            contents(path_ / "err")};
+  }
+
+  // Runs it and expects success without complaints.
+  std::string run_well(const std::string& arguments) const {
+    const Result result = run(arguments);
+    INFO(arguments);
+    CHECK(result.status == 0);
+    CHECK(result.err.empty());
+    return result.out;
+  }
+
+private:
+  fs::path path_;
+};
+
+struct Example {
+  std::string name, argument; // the second as the shell wants it
+};
+
+std::vector<Example> examples() {
+  std::vector<Example> result;
+  for (const auto& entry : fs::directory_iterator(MODELS_DIR))
+    if (entry.path().extension() == ".cgb")
+      result.push_back({entry.path().stem().string(), "'" + entry.path().string() + "'"});
+  std::sort(result.begin(), result.end(),
+            [](const Example& a, const Example& b) { return a.name < b.name; });
+  REQUIRE(result.size() >= 10);
+  return result;
+}
+
+// What follows `"key": ` in a JSON text, as a number.
+double number(const std::string& json, const std::string& key) {
+  const std::size_t at = json.find('"' + key + "\": ");
+  REQUIRE(at != std::string::npos);
+  return std::stod(json.substr(at + key.size() + 4));
+}
+
+// A flat triangle with sides of degree 1. Line 5 is n, line 6 the central point, line 7 starts side
+// 0.
+std::string triangle(const std::string& n = "3", const std::string& x = "0.3",
+                     const std::string& degree = "1", const std::string& corner = "1 0 0") {
+  return "1\n1\n0.05\n0\n" + n + "\n" + x + " 0.3 0.1\n" + degree + " 1\n0 0 0\n" + corner +
+         "\n1 1\n" + corner + "\n0 1 0\n1 1\n0 1 0\n0 0 0\n0\n";
+}
+
+} // namespace
+
+TEST_CASE("Every example becomes a disk with the wanted number of triangles") {
+  const Scratch work("examples");
+  for (const Example& example : examples()) {
+    INFO(example.name);
+    const std::string out =
+        work.run_well("mesh " + example.argument + " -o a.ply --triangles 1000 --report a.json");
+    CHECK_THAT(out, StartsWith("a.ply: ") && Contains(" triangles, "));
+    CHECK_THAT(contents(work / "a.ply"), StartsWith("ply\n"));
+    const std::string json = contents(work / "a.json");
+    CHECK_THAT(json, Contains("\"is_disk\": true"));
+    CHECK(number(json, "vertex_deviation_relative") < 1e-14);
+    CHECK(number(json, "triangles") == Approx(1000).epsilon(0.05).margin(20));
+    CHECK(work.files() == std::set<std::string>{"a.ply", "a.json"});
+  }
+}
+
+TEST_CASE("Half the edge length gives four times the triangles") {
+  const Scratch work("edge_length");
+  const std::string mesh = "mesh -q " + examples()[0].argument + " -o a.ply --report a.json";
+  work.run_well(mesh);
+  const double length = number(contents(work / "a.json"), "diagonal") / 20;
+  work.run_well(mesh + " --edge-length " + std::to_string(length));
+  const std::string coarse = contents(work / "a.json");
+  work.run_well(mesh + " --edge-length " + std::to_string(length / 2));
+  const std::string fine = contents(work / "a.json");
+  CHECK(number(coarse, "mean_edge") == Approx(length).epsilon(0.2));
+  CHECK(number(fine, "triangles") == Approx(4 * number(coarse, "triangles")).epsilon(0.15));
+}
+
+TEST_CASE("The same input gives the same bytes") {
+  const Scratch work("repeated");
+  for (const std::string extension : {"ply", "obj", "off", "stl"})
+    for (const Example& example : {examples().front(), examples().back()}) {
+      const std::string mesh = "mesh -q --triangles 3000 " + example.argument;
+      CHECK(work.run_well(mesh + " -o a." + extension).empty());
+      CHECK(work.run_well(mesh + " -o b." + extension).empty());
+      CHECK(fs::file_size(work / ("a." + extension)) > 50000);
+      CHECK((contents(work / ("a." + extension)) == contents(work / ("b." + extension))));
+    }
+}
+
+TEST_CASE("Domains, coordinates and central weights are those that one asks for") {
+  const Scratch work("choices");
+  work.write("x.cgb", triangle());
+  const std::vector<std::pair<std::string, std::vector<std::string>>> choices{
+      {"domain",
+       {"automatic", "projected", "similarity", "similarity-outer", "circular", "regular"}},
+      {"coordinates", {"harmonic", "mean-value", "wachspress"}},
+      {"central-weight", {"weight-deficiency", "none", "adjacent-products", "full-product"}}};
+  for (const auto& [option, names] : choices)
+    for (const std::string& name : names) {
+      work.run_well("mesh x.cgb -o a.ply --triangles 100 --report a.json --" + option + " " + name);
+      CHECK_THAT(contents(work / "a.json"), Contains("\": \"" + name + "\""));
+      CHECK_THAT(contents(work / "a.json"), Contains("\"is_disk\": true"));
+    }
+}
+
+TEST_CASE("Info prints corner types, and Wachspress coordinates refuse reflex corners") {
+  const Scratch work("corners");
+  int concave = 0;
+  for (const Example& example : examples()) {
+    INFO(example.name);
+    const std::string info = work.run_well("info " + example.argument);
+    CHECK_THAT(info, Contains(" sides; corners: ") && Contains(" convex, ") && Contains("angle") &&
+                         Contains("\nDomain: "));
+    if (info.find(", 0 reflex") != std::string::npos)
+      continue;
+    ++concave;
+    CHECK_THAT(info, Contains("   reflex "));
+    const Result result =
+        work.run("mesh " + example.argument + " -o a.ply --coordinates wachspress");
+    CHECK(result.status == 1);
+    CHECK_THAT(result.err, Contains("; corner ") && EndsWith(" is reflex\n"));
+    work.run_well("mesh -q " + example.argument + " -o b.ply --coordinates mean-value");
+  }
+  CHECK(concave >= 3);
+  CHECK(work.files() == std::set<std::string>{"b.ply"});
+}
+
+TEST_CASE("Domain draws every example") {
+  const Scratch work("domain");
+  for (const Example& example : examples()) {
+    INFO(example.name);
+    CHECK(
+        work.run_well("domain " + example.argument + " -o a.svg --side 2 --coordinate 1").empty());
+    CHECK_THAT(contents(work / "a.svg"), StartsWith("<svg ") && EndsWith("</svg>\n") &&
+                                             Contains("<polygon ") && !Contains("nan") &&
+                                             !Contains("inf"));
+  }
+}
+
+TEST_CASE("Help and version go to standard output") {
+  const Scratch work("help");
+  CHECK_THAT(work.run_well("--version"), StartsWith("multipatch "));
+  CHECK_THAT(work.run_well("--help"),
+             Contains("Usage: ") && Contains("mesh") && Contains("info") && Contains("domain"));
+  CHECK_THAT(work.run_well("mesh --help"), Contains("Usage: ") && Contains("--triangles") &&
+                                               Contains("--edge-length") && Contains("--report"));
+  CHECK_THAT(work.run_well("info --help"), Contains("Usage: "));
+  CHECK_THAT(work.run_well("domain --help"), Contains("Usage: ") && Contains("--coordinate"));
+}
+
+TEST_CASE("What goes wrong is said in two lines, and leaves no trace") {
+  constexpr int data = 1, usage = 2, any = -1;
+  struct Row {
+    std::string arguments;
+    int status;
+    std::string message;
+  };
+  const Row rows[] = {
+      {"mesh empty.cgb -o a.ply", data, "empty.cgb:1: "},
+      {"mesh cut.cgb -o a.ply", data, "cut.cgb:12: "},
+      {"mesh cut.cgb -o old.ply", data, "cut.cgb:12: "},
+      {"mesh n0.cgb -o a.ply", data, "n0.cgb:5: "},
+      {"mesh n9.cgb -o a.ply", data, "n9.cgb:5: "},
+      {"mesh nan.cgb -o a.ply", data, "nan.cgb:6: "},
+      {"mesh degree.cgb -o a.ply", data, "degree.cgb:7: "},
+      {"mesh huge.cgb -o a.ply", data, "huge.cgb: "},
+      {"mesh old.ply -o a.ply", data, "old.ply:1: "},
+      {"mesh . -o a.ply", data, ".: expected a file"},
+      {"mesh missing.cgb -o a.ply", data, "missing.cgb: cannot be opened"},
+      {"info missing.cgb", data, "missing.cgb: cannot be opened"},
+      {"info n9.cgb", data, "n9.cgb:5: "},
+      {"info huge.cgb", data, "huge.cgb: "},
+      {"domain nan.cgb -o a.svg", data, "nan.cgb:6: "},
+      {"mesh x.cgb -o no/a.ply", data, "no/a.ply: cannot be opened"},
+      {"mesh x.cgb -o directory.ply", data, "directory.ply: cannot be written"},
+      {"mesh x.cgb -o full.ply", data, "full.ply: cannot be written"},
+      {"mesh x.cgb -o a.foo", data, "a.foo: expected a name that ends in .ply"},
+      {"mesh x.cgb -o a", data, "a: expected a name that ends in .ply"},
+      {"mesh x.cgb -o a.ply --report no/a.json", data, "no/a.json: cannot be opened"},
+      {"mesh x.cgb -o a.ply --report directory.ply", data, "directory.ply: cannot be written"},
+      {"mesh x.cgb -o a.ply --report ./a.ply", any, "a.ply"},
+      {"mesh x.cgb -o a.ply --report x.cgb", any, "x.cgb"},
+      {"domain x.cgb -o x.cgb", any, "x.cgb"},
+      {"domain x.cgb -o no/a.svg", data, "no/a.svg: cannot be opened"},
+      {"domain x.cgb -o a.svg --side 3", any, "--side"},
+      {"domain x.cgb -o a.svg --side -1", any, "-1"},
+      {"mesh x.cgb -o a.ply --edge-length 0", any, "not 0\n"},
+      {"mesh x.cgb -o a.ply --edge-length -1", any, "-1"},
+      {"mesh x.cgb -o a.ply --edge-length 1e-300", any, "1e-300"},
+      {"mesh x.cgb -o a.ply --edge-length nan", any, "nan"},
+      {"mesh x.cgb -o a.ply --edge-length inf", any, "inf"},
+      {"mesh x.cgb -o a.ply --edge-length long", usage, "long"},
+      {"mesh x.cgb -o a.ply --triangles 0", any, "0"},
+      {"mesh x.cgb -o a.ply --triangles -5", any, "-5"},
+      {"mesh x.cgb -o a.ply --triangles 1000000000000000000", any, "1000000000000000000"},
+      {"mesh x.cgb -o a.ply --triangles 1e3", usage, "1e3"},
+      {"mesh x.cgb -o a.ply --triangles 9 --edge-length 1", usage, "excludes"},
+      {"mesh x.cgb -o a.ply --clearance nan", any, "nan"},
+      {"mesh x.cgb -o a.ply --clearance 2", usage, "2"},
+      {"mesh x.cgb -o a.ply --domain round", usage, "round"},
+      {"mesh x.cgb -o a.ply --domain 2", usage, "2"},
+      {"mesh x.cgb -o a.ply --coordinates polar", usage, "polar"},
+      {"mesh x.cgb -o a.ply --central-weight heavy", usage, "heavy"},
+      {"mesh x.cgb -o a.ply --colour red", usage, "--colour"},
+      {"mesh x.cgb", usage, "--output"},
+      {"mesh -o a.ply", usage, "INPUT"},
+      {"melt x.cgb", usage, "melt"},
+      {"", usage, "subcommand"},
+  };
+
+  const Scratch work("errors");
+  fs::create_directory(work / "directory.ply");
+  if (fs::exists("/dev/full"))
+    fs::create_symlink("/dev/full", work / "full.ply");
+  else
+    fs::create_directory(work / "full.ply");
+  work.write("x.cgb", triangle());
+  work.write("old.ply", "old");
+  work.write("empty.cgb", "");
+  work.write("cut.cgb", triangle().substr(0, triangle().rfind("0 1 0\n1 1")));
+  work.write("n0.cgb", triangle("0"));
+  work.write("n9.cgb", triangle("1000000000"));
+  work.write("nan.cgb", triangle("3", "nan"));
+  work.write("degree.cgb", triangle("3", "0.3", "1000000"));
+  work.write("huge.cgb", triangle("3", "0.3", "1", "1e200 0 0"));
+  CHECK_THAT(work.run_well("mesh x.cgb -o b.ply"), StartsWith("b.ply: "));
+  const std::set<std::string> files = work.files();
+  for (const Row& row : rows) {
+    const Result result = work.run(row.arguments);
+    INFO("multipatch " << row.arguments);
+    if (row.status == any)
+      CHECK((result.status == data || result.status == usage));
+    else
+      CHECK(result.status == row.status);
+    CHECK(result.out.empty());
+    CHECK_THAT(result.err, Contains(row.message) && EndsWith("\n"));
+    CHECK(std::count(result.err.begin(), result.err.end(), '\n') <= 2);
+    CHECK_THAT(result.err, !Contains("->") && !Contains("what()"));
+    CHECK(work.files() == files);
+    CHECK(contents(work / "old.ply") == "old");
+    CHECK(contents(work / "x.cgb") == triangle());
+    fs::remove(work / "a.ply");
+    fs::remove(work / "a.svg");
+    work.write("x.cgb", triangle());
+  }
+}
