@@ -301,7 +301,7 @@ TEST_CASE("What goes wrong is said in two lines, and leaves no trace") {
     CHECK_THAT(result.err, !Contains("->") && !Contains("what()"));
     CHECK(work.files() == files);
     CHECK(contents(work / "old.ply") == "old");
-    CHECK(contents(work / "x.cgb") == triangle());
+    CHECK((contents(work / "x.cgb") == triangle()));
     fs::remove(work / "a.ply");
     fs::remove(work / "a.svg");
     work.write("x.cgb", triangle());

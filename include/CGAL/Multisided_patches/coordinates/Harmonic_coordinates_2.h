@@ -11,6 +11,7 @@
 #include <CGAL/Multisided_patches/coordinates/internal/harmonic/solve_laplace.h>
 
 #include <sstream>
+#include <string>
 #include <type_traits>
 
 namespace CGAL {
@@ -160,22 +161,27 @@ private:
     constexpr int max_rounds = 3;
     constexpr double tau_min = 1e-13, tau_max = 1e-2, acceptable = 1e-3;
     double tau = 10 * std::pow(target_error, 0.83);
+    std::string failure;
     for (int round = 0; round < max_rounds && error_bound_ > target_error; ++round) {
       tau = (std::min)(tau_max, (std::max)(tau_min, tau));
-      internal::harmonic::Solution s = internal::harmonic::solve_laplace(boundary, mesh, tau);
-      if (s.error < error_bound_) {
-        error_bound_ = s.error;
-        basis_ = std::move(s.basis);
+      try {
+        internal::harmonic::Solution s = internal::harmonic::solve_laplace(boundary, mesh, tau);
+        if (s.error < error_bound_) {
+          error_bound_ = s.error;
+          basis_ = std::move(s.basis);
+        }
+      } catch (const Numerical_error& error) { // what an earlier round found may do
+        failure = std::string("; ") + error.what();
       }
       if (tau == tau_min)
         break;
-      tau *= (std::min)(0.1, (std::max)(1e-3, std::pow(target_error / error_bound_, 1 / 1.7)));
+      tau *= (std::min)(0.1, (std::max)(1e-2, std::pow(target_error / error_bound_, 1 / 1.7)));
     }
     if (!(error_bound_ <= acceptable)) {
       std::ostringstream message;
       message << "harmonic coordinates: the error of the values is not below " << error_bound_
               << " on this domain of " << boundary.size() << " sides; " << target_error
-              << " was asked for";
+              << " was asked for" << failure;
       throw Numerical_error(message.str());
     }
   }

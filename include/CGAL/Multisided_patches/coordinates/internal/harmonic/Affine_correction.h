@@ -9,7 +9,6 @@
 #include <CGAL/Multisided_patches/coordinates/internal/harmonic/plane_geometry.h>
 #include <CGAL/Multisided_patches/coordinates/internal/harmonic/triangular.h>
 
-
 namespace CGAL {
 namespace Multisided_patches {
 namespace internal {

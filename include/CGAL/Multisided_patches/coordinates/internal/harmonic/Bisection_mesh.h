@@ -16,7 +16,6 @@
 #include <utility>
 #include <vector>
 
-
 namespace CGAL {
 namespace Multisided_patches {
 namespace internal {
@@ -33,8 +32,8 @@ public:
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
   struct Triangle {
-    std::array<std::size_t, 3> vertex;    // counterclockwise
-    std::array<std::size_t, 3> neighbor;  // across the edge opposite to the vertex, or none
+    std::array<std::size_t, 3> vertex;   // counterclockwise
+    std::array<std::size_t, 3> neighbor; // across the edge opposite to the vertex, or none
     std::array<std::size_t, 2> child{none, none};
     // The half child[0] is on the right, child[1] on the left of the cut from apex to midpoint.
     std::size_t apex = none, midpoint = none;
@@ -75,7 +74,7 @@ public:
 
 private:
   // More than any polygon needed by two orders of magnitude: a guard against endless refinement.
-  static constexpr std::size_t max_size = 400000;
+  static constexpr std::size_t max_size = 120000;
 
   double squared_length(std::size_t t, int edge) const {
     const std::array<std::size_t, 3>& v = triangles_[t].vertex;
@@ -94,13 +93,13 @@ private:
 
   void cut_edge(std::size_t t, int edge) {
     if (triangles_.size() > max_size)
-      throw Numerical_error("harmonic coordinates: the domain has too much detail; no subdivision "
+      throw Numerical_error("the domain has too much detail: no subdivision "
                             "of it into cells was found with " +
                             std::to_string(max_size) + " triangles");
     const Triangle& old = triangles_[t];
     const std::size_t n = old.neighbor[edge], midpoint = points_.size();
-    points_.push_back(
-        (points_[old.vertex[(edge + 1) % 3]] + points_[old.vertex[(edge + 2) % 3]]) / 2.);
+    points_.push_back((points_[old.vertex[(edge + 1) % 3]] + points_[old.vertex[(edge + 2) % 3]]) /
+                      2.);
     const int other_edge = n == none ? 0 : index_of_neighbor(n, t);
     cut_triangle(t, edge, midpoint);
     if (n == none)

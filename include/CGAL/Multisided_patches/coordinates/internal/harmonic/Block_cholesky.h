@@ -12,7 +12,6 @@
 #include <set>
 #include <utility>
 
-
 namespace CGAL {
 namespace Multisided_patches {
 namespace internal {
@@ -23,14 +22,16 @@ namespace harmonic {
 // block.
 class Block_cholesky {
 public:
-  explicit Block_cholesky(std::size_t number_of_blocks) : neighbors_(number_of_blocks) {}
+  // `sizes` of the diagonal blocks
+  explicit Block_cholesky(const std::vector<std::size_t>& sizes)
+      : sizes_(sizes), degrees_(sizes.size(), 0), neighbors_(sizes.size()) {}
 
   // adds to the block (i,j) and, by symmetry, its transpose to (j,i)
   void add(std::size_t i, std::size_t j, const Matrix& block) {
     Matrix& m = blocks_[std::minmax(i, j)];
     if (m.rows() == 0 && i != j) {
-      neighbors_[i].insert(j);
-      neighbors_[j].insert(i);
+      couple(i, j);
+      couple(j, i);
     }
     if (m.rows() == 0)
       m = i <= j ? block : block.transposed();
@@ -43,9 +44,10 @@ public:
     for (std::size_t i = 0; i < neighbors_.size(); ++i)
       remaining.insert(i);
     while (!remaining.empty()) {
-      const std::size_t pivot = *std::min_element(
-          remaining.begin(), remaining.end(),
-          [&](std::size_t i, std::size_t j) { return degree(i) < degree(j); });
+      const std::size_t pivot =
+          *std::min_element(remaining.begin(), remaining.end(), [&](std::size_t i, std::size_t j) {
+            return degrees_[i] < degrees_[j];
+          });
       remaining.erase(pivot);
       eliminate(pivot);
     }
@@ -72,12 +74,13 @@ private:
     std::vector<std::pair<std::size_t, Matrix>> blocks; // with their columns
   };
 
-  // the number of rows that an elimination would couple
-  std::size_t degree(std::size_t i) const {
-    std::size_t sum = 0;
-    for (const std::size_t j : neighbors_[i])
-      sum += blocks_.at({j, j}).rows();
-    return sum;
+  void couple(std::size_t i, std::size_t j) {
+    neighbors_[i].insert(j);
+    degrees_[i] += sizes_[j];
+  }
+  void uncouple(std::size_t i, std::size_t j) {
+    neighbors_[i].erase(j);
+    degrees_[i] -= sizes_[j];
   }
 
   void eliminate(std::size_t pivot) {
@@ -87,7 +90,7 @@ private:
       row.blocks.push_back({i, pivot < i ? std::move(block->second) : block->second.transposed()});
       row.diagonal.solve_transposed(row.blocks.back().second);
       blocks_.erase(block);
-      neighbors_[i].erase(pivot);
+      uncouple(i, pivot);
     }
     // the Schur complement
     for (std::size_t i = 0; i < row.blocks.size(); ++i)
@@ -101,6 +104,8 @@ private:
   }
 
   std::map<std::pair<std::size_t, std::size_t>, Matrix> blocks_; // (i,j) with i <= j, still to do
+  std::vector<std::size_t> sizes_;
+  std::vector<std::size_t> degrees_; // the number of rows that the elimination of a block couples
   std::vector<std::set<std::size_t>> neighbors_;
   std::vector<Row> rows_;
 };

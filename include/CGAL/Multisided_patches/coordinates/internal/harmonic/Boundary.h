@@ -12,7 +12,6 @@
 #include <utility>
 #include <vector>
 
-
 namespace CGAL {
 namespace Multisided_patches {
 namespace internal {

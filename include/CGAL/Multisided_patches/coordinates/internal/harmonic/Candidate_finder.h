@@ -12,7 +12,6 @@
 
 #include <map>
 
-
 namespace CGAL {
 namespace Multisided_patches {
 namespace internal {
@@ -44,7 +43,8 @@ public:
       : boundary_(boundary), decay_(std::log(1 / tau)), corners_(boundary.size()) {
     for (std::size_t k = 0; k < boundary.size(); ++k) {
       const double radius = corner_radius(boundary, k);
-      const double ratio = (std::min)(0.9995, std::exp(-decay_ * boundary.angle(k) / max_corner_size));
+      const double ratio =
+          (std::min)(max_corner_ratio, std::exp(-decay_ * boundary.angle(k) / max_corner_size));
       corners_[k] = {Candidate::Kind::corner, k, boundary.vertex(k), radius, ratio * radius};
     }
   }
@@ -83,6 +83,8 @@ public:
 private:
   // A power series may reach this far, relative to its radius of convergence.
   static constexpr double max_ratio = 0.6;
+  // The series at a sharp corner converges almost to the end; this only keeps off rounding.
+  static constexpr double max_corner_ratio = 1 - 1e-9;
   // The most terms at a corner; they decide how far its cell reaches.
   static constexpr int max_corner_size = 60;
 
@@ -139,8 +141,8 @@ private:
   std::optional<Candidate> find_interior(const Triangle_points& t) const {
     std::optional<Candidate> best;
     double best_ratio = max_ratio;
-    for (const Complex& z : {(t[0] + t[1] + t[2]) / 3., (t[0] + t[1]) / 2., (t[1] + t[2]) / 2.,
-                             (t[2] + t[0]) / 2.}) {
+    for (const Complex& z :
+         {(t[0] + t[1] + t[2]) / 3., (t[0] + t[1]) / 2., (t[1] + t[2]) / 2., (t[2] + t[0]) / 2.}) {
       const double radius = interior_radius(boundary_, z), ratio = farthest(t, z) / radius;
       if (ratio <= best_ratio) {
         best = Candidate{Candidate::Kind::interior, 0, z, radius, max_ratio * radius};
@@ -156,8 +158,7 @@ private:
       const std::size_t e = sides[i];
       const Complex d = boundary_.direction(e), &source = boundary_.vertex(e);
       const double x[3] = {dot(t[0] - source, d), dot(t[1] - source, d), dot(t[2] - source, d)};
-      const double middle =
-          (std::min({x[0], x[1], x[2]}) + std::max({x[0], x[1], x[2]})) / 2;
+      const double middle = (std::min({x[0], x[1], x[2]}) + std::max({x[0], x[1], x[2]})) / 2;
       if (!(0 < middle && middle < boundary_.length(e)))
         continue;
       const Complex centre = source + middle * d;

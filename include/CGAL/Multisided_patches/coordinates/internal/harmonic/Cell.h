@@ -13,7 +13,6 @@
 
 #include <variant>
 
-
 namespace CGAL {
 namespace Multisided_patches {
 namespace internal {

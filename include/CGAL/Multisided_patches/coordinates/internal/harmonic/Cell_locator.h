@@ -10,7 +10,6 @@
 
 #include <limits>
 
-
 namespace CGAL {
 namespace Multisided_patches {
 namespace internal {

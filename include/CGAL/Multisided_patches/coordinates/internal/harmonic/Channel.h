@@ -10,7 +10,6 @@
 
 #include <vector>
 
-
 namespace CGAL {
 namespace Multisided_patches {
 namespace internal {

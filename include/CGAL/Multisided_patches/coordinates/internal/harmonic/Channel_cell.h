@@ -8,7 +8,6 @@
 
 #include <CGAL/Multisided_patches/coordinates/internal/harmonic/Strip_map.h>
 
-
 namespace CGAL {
 namespace Multisided_patches {
 namespace internal {
@@ -26,12 +25,12 @@ public:
   Channel_cell(const Boundary& boundary, std::size_t e1, std::size_t e2, const Strip_map& map,
                const Complex& origin, const Interval& range, int degree)
       : side_{e1, e2}, target_{boundary.next(e1), boundary.next(e2)},
-        inverse_length_{1 / boundary.length(e1), 1 / boundary.length(e2)}, map_(map),
-        range_(range), degree_(degree) {
+        inverse_length_{1 / boundary.length(e1), 1 / boundary.length(e2)}, map_(map), range_(range),
+        degree_(degree) {
     const double beta = map.beta();
     const Complex d1 = boundary.direction(e1), d2 = boundary.direction(e2);
-    const Complex above = origin + d1 * (map.height() * std::cos(beta)) *
-                                       Complex(-std::tan(beta / 2), 1);
+    const Complex above =
+        origin + d1 * (map.height() * std::cos(beta)) * Complex(-std::tan(beta / 2), 1);
     abscissa_[0] = dot(origin - boundary.vertex(e1), d1);
     abscissa_[1] = dot(above - boundary.vertex(e2), d2);
     const double narrowest = pi / std::abs(map.derivative(map.abscissa(range.low)));
@@ -66,7 +65,8 @@ public:
   std::size_t hats(const Complex& z, Hat_term<Order>* terms) const {
     const double beta = map_.beta();
     const Complex x = map_.local(z);
-    const Analytic<Order> one{Complex(1)}, o2 = constant_on_e2<Order>(x), x2 = linear_on_e2<Order>(x);
+    const Analytic<Order> one{Complex(1)}, o2 = constant_on_e2<Order>(x),
+                                           x2 = linear_on_e2<Order>(x);
     const Analytic<Order> o1 = combination<Order>(1, one, -1, o2);
     // Re x on e2 is q + cos(beta) times the abscissa there
     const double q = -map_.height() * std::cos(beta) * std::tan(beta / 2);
@@ -75,11 +75,11 @@ public:
     if constexpr (Order >= 1)
       x1[1] += map_.inverse_direction();
     // The abscissa on e2 runs against its direction: the domain is on its left, too.
-    terms[1] = {target_[0], combination<Order>(inverse_length_[0], x1,
-                                               inverse_length_[0] * abscissa_[0], o1)};
+    terms[1] = {target_[0],
+                combination<Order>(inverse_length_[0], x1, inverse_length_[0] * abscissa_[0], o1)};
     terms[0] = {side_[0], combination<Order>(1, o1, -1, terms[1].f)};
-    terms[3] = {target_[1], combination<Order>(-inverse_length_[1], x2,
-                                               inverse_length_[1] * abscissa_[1], o2)};
+    terms[3] = {target_[1],
+                combination<Order>(-inverse_length_[1], x2, inverse_length_[1] * abscissa_[1], o2)};
     terms[2] = {side_[1], combination<Order>(1, o2, -1, terms[3].f)};
     return 4;
   }
@@ -100,8 +100,8 @@ private:
   template <int Order>
   Analytic<Order> linear_on_e2(const Complex& x) const {
     const double beta = map_.beta(), scale = map_.lambda() / pi;
-    const double slope = beta < 1e-2 ? beta / 6 + 7 * beta * beta * beta / 360
-                                     : 1 / std::sin(beta) - 1 / beta;
+    const double slope =
+        beta < 1e-2 ? beta / 6 + 7 * beta * beta * beta / 360 : 1 / std::sin(beta) - 1 / beta;
     const Complex bent = product(product(x, x), log1p_defect(map_.kappa() * x));
     const Complex d = map_.inverse_direction(), stretch = 1. + map_.kappa() * x;
     Analytic<Order> f{minus_i_times(slope * x + scale * bent)};

@@ -9,7 +9,6 @@
 #include <CGAL/Multisided_patches/coordinates/internal/harmonic/Boundary.h>
 #include <CGAL/Multisided_patches/coordinates/internal/harmonic/analytic_functions.h>
 
-
 namespace CGAL {
 namespace Multisided_patches {
 namespace internal {
@@ -79,8 +78,8 @@ private:
             std::atan2(q.imag(), q.real()) + angle_ * pi / 2};
   }
 
-  // Y = Im zeta / sin(a pi) breaks down where sin(a pi) vanishes. Near such an angle a = m / (1 + e)
-  // the multiple of Im zeta^{m/a} that is taken off turns it into
+  // Y = Im zeta / sin(a pi) breaks down where sin(a pi) vanishes. Near such an angle a = m / (1 +
+  // e) the multiple of Im zeta^{m/a} that is taken off turns it into
   //   Y = -Im [zeta ((zeta/r)^e - 1) / e] e / sin(a pi),
   // which stays bounded and contains the limit zeta log zeta exactly.
   void set_lift() {

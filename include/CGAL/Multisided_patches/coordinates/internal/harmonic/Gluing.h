@@ -9,7 +9,6 @@
 #include <CGAL/Multisided_patches/coordinates/internal/harmonic/Block_cholesky.h>
 #include <CGAL/Multisided_patches/coordinates/internal/harmonic/Interface.h>
 
-
 namespace CGAL {
 namespace Multisided_patches {
 namespace internal {
@@ -18,9 +17,10 @@ namespace harmonic {
 // Solves the least-squares problem of all interfaces.
 //
 // The bases of the cells are ill-conditioned (a power series on part of a disc), so first each gets
-// one that is orthonormal on its interfaces: the QR factorization of all rows of a cell. With it the
-// diagonal blocks of the normal equations are unit matrices, the equations are well-conditioned, and
-// one step of iterative refinement makes up for having squared the condition number.
+// one that is orthonormal on its interfaces: the QR factorization of all rows of a cell. With it
+// the diagonal blocks of the normal equations are unit matrices, the equations are
+// well-conditioned, and one step of iterative refinement makes up for having squared the condition
+// number.
 class Gluing {
 public:
   // `interfaces` are overwritten
@@ -103,7 +103,7 @@ private:
   }
 
   Block_cholesky normal_equations() const {
-    Block_cholesky equations(sizes_.size());
+    Block_cholesky equations(sizes_);
     for (std::size_t c = 0; c < sizes_.size(); ++c) {
       // The shift keeps the pivots positive if two cells nearly span the same functions; it is at
       // the level of rounding, and the refinement removes its effect.

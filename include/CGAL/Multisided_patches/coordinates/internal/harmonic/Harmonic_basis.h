@@ -12,7 +12,6 @@
 
 #include <boost/container/small_vector.hpp>
 
-
 namespace CGAL {
 namespace Multisided_patches {
 namespace internal {

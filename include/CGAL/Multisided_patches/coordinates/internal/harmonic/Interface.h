@@ -10,8 +10,6 @@
 #include <CGAL/Multisided_patches/coordinates/internal/harmonic/cover_mesh.h>
 #include <CGAL/Multisided_patches/coordinates/internal/harmonic/gauss_legendre.h>
 
-
-
 namespace CGAL {
 namespace Multisided_patches {
 namespace internal {
@@ -85,8 +83,8 @@ private:
   int number_of_points(const Segment& s, const Interface& face) const {
     const int unknowns = size(cells_[face.cell[0]]) + size(cells_[face.cell[1]]);
     const double oscillations = std::abs(s.b - s.a) * finest_resolution(face, cells_);
-    return (std::max)(3, static_cast<int>(std::ceil(
-                             oversampling_ * (std::min)(oscillations, 2. * unknowns))));
+    return (std::max)(
+        3, static_cast<int>(std::ceil(oversampling_ * (std::min)(oscillations, 2. * unknowns))));
   }
 
   const std::vector<Quadrature_node>& nodes(int m) {

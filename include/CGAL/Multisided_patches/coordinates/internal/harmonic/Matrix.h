@@ -13,7 +13,6 @@
 #include <cstddef>
 #include <vector>
 
-
 namespace CGAL {
 namespace Multisided_patches {
 namespace internal {
@@ -70,8 +69,12 @@ private:
 
 using Lanes = Eigen::Array<double, Matrix::lanes, 1>;
 
-inline Eigen::Map<const Lanes> lanes_at(const double* p) { return Eigen::Map<const Lanes>(p); }
-inline Eigen::Map<Lanes> lanes_at(double* p) { return Eigen::Map<Lanes>(p); }
+inline Eigen::Map<const Lanes> lanes_at(const double* p) {
+  return Eigen::Map<const Lanes>(p);
+}
+inline Eigen::Map<Lanes> lanes_at(double* p) {
+  return Eigen::Map<Lanes>(p);
+}
 
 // Four columns of a matrix; the last is repeated where there are no more.
 template <typename Double>
@@ -115,8 +118,8 @@ inline void add_multiple(double factor, const double* x, double* y, std::size_t 
 }
 
 // y += the combination of four columns
-inline void add_combination(const std::array<double, 4>& factor, const Four_columns<const double>& x,
-                            double* y, std::size_t length) {
+inline void add_combination(const std::array<double, 4>& factor,
+                            const Four_columns<const double>& x, double* y, std::size_t length) {
   const double *x0 = x[0], *x1 = x[1], *x2 = x[2], *x3 = x[3];
   const double f0 = factor[0], f1 = factor[1], f2 = factor[2], f3 = factor[3];
   for (std::size_t i = 0; i < length; i += Matrix::lanes)

@@ -9,7 +9,6 @@
 #include <CGAL/Multisided_patches/coordinates/internal/harmonic/Boundary.h>
 #include <CGAL/Multisided_patches/coordinates/internal/harmonic/analytic_functions.h>
 
-
 namespace CGAL {
 namespace Multisided_patches {
 namespace internal {

@@ -12,7 +12,6 @@
 #include <limits>
 #include <utility>
 
-
 namespace CGAL {
 namespace Multisided_patches {
 namespace internal {
@@ -46,18 +45,14 @@ public:
   Complex local(const Complex& z) const { return product(z - origin_, inverse_direction_); }
 
   // W as a function of x
-  Complex image(const Complex& x) const {
-    return product(lambda_ * x, log1p_ratio(kappa_ * x));
-  }
+  Complex image(const Complex& x) const { return product(lambda_ * x, log1p_ratio(kappa_ * x)); }
   // dW/dz
   Complex derivative(const Complex& x) const {
     return lambda_ * inverse_direction_ / (1. + kappa_ * x);
   }
 
   // the abscissa x of the point of e1 with Re W = s
-  double abscissa(double s) const {
-    return s / lambda_ * expm1_ratio(beta_ * s / pi).real();
-  }
+  double abscissa(double s) const { return s / lambda_ * expm1_ratio(beta_ * s / pi).real(); }
 
   // the range of Re W on a segment inside the wedge: circles about the apex are its level lines
   Interval range(const Segment& segment) const {

@@ -11,7 +11,6 @@
 #include <array>
 #include <cstddef>
 
-
 namespace CGAL {
 namespace Multisided_patches {
 namespace internal {
@@ -35,7 +34,8 @@ constexpr std::size_t max_hat_terms = 4;
 
 // a f + b g
 template <int Order>
-Analytic<Order> combination(double a, const Analytic<Order>& f, double b, const Analytic<Order>& g) {
+Analytic<Order> combination(double a, const Analytic<Order>& f, double b,
+                            const Analytic<Order>& g) {
   Analytic<Order> r;
   for (std::size_t i = 0; i < r.size(); ++i)
     r[i] = a * f[i] + b * g[i];
@@ -43,7 +43,9 @@ Analytic<Order> combination(double a, const Analytic<Order>& f, double b, const 
 }
 
 // -i w: its real part is the imaginary part of w.
-inline Complex minus_i_times(const Complex& w) { return {w.imag(), -w.real()}; }
+inline Complex minus_i_times(const Complex& w) {
+  return {w.imag(), -w.real()};
+}
 
 // (e^w - 1) / w, without cancellation at small w.
 inline Complex expm1_ratio(const Complex& w) {

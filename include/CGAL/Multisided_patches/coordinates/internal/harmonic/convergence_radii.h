@@ -10,15 +10,14 @@
 
 #include <limits>
 
-
 namespace CGAL {
 namespace Multisided_patches {
 namespace internal {
 namespace harmonic {
 
 // How far the series of a cell converges: to the nearest piece of the boundary that the cell can
-// see. What lies behind the cell's own sides is out of sight, however near it is; a thin slot on the
-// other side of a wall costs nothing.
+// see. What lies behind the cell's own sides is out of sight, however near it is; a thin slot on
+// the other side of a wall costs nothing.
 
 inline double squared_distance_in(const Half_plane& h, const Complex& z, const Segment& s) {
   const std::optional<Segment> seen = clip(s, h);

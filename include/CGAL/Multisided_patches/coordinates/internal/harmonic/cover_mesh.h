@@ -12,7 +12,6 @@
 
 #include <queue>
 
-
 namespace CGAL {
 namespace Multisided_patches {
 namespace internal {
@@ -163,10 +162,8 @@ private:
         range.low = (std::min)(range.low, edge.low);
         range.high = (std::max)(range.high, edge.high);
       }
-    const double margin =
-        (std::min)(range.low - channel.free.low, channel.free.high - range.high);
-    const int degree =
-        (std::max)(4, static_cast<int>(std::ceil(1.3 * finder_.decay() / margin)));
+    const double margin = (std::min)(range.low - channel.free.low, channel.free.high - range.high);
+    const int degree = (std::max)(4, static_cast<int>(std::ceil(1.3 * finder_.decay() / margin)));
     return Channel_cell(boundary_, channel.e1, channel.e2, channel.map, channel.origin, range,
                         degree);
   }

@@ -11,7 +11,6 @@
 #include <complex>
 #include <optional>
 
-
 namespace CGAL {
 namespace Multisided_patches {
 namespace internal {

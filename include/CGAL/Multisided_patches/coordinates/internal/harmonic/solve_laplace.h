@@ -6,10 +6,9 @@
 #ifndef CGAL_MULTISIDED_PATCHES_COORDINATES_INTERNAL_HARMONIC_SOLVE_LAPLACE_H
 #define CGAL_MULTISIDED_PATCHES_COORDINATES_INTERNAL_HARMONIC_SOLVE_LAPLACE_H
 
-#include <CGAL/Multisided_patches/coordinates/internal/harmonic/Harmonic_basis.h>
 #include <CGAL/Multisided_patches/coordinates/internal/harmonic/Gluing.h>
+#include <CGAL/Multisided_patches/coordinates/internal/harmonic/Harmonic_basis.h>
 #include <CGAL/Multisided_patches/coordinates/internal/harmonic/triangulate_boundary.h>
-
 
 namespace CGAL {
 namespace Multisided_patches {
@@ -22,8 +21,8 @@ struct Solution {
   double error;
 };
 
-// The jumps across the interfaces, sampled: of the values, and of the normal derivatives in units of
-// the oscillations of the bases. By Green's representation formula they bound the error of a
+// The jumps across the interfaces, sampled: of the values, and of the normal derivatives in units
+// of the oscillations of the bases. By Green's representation formula they bound the error of a
 // piecewise harmonic function with exact boundary values.
 inline double largest_jump(const Harmonic_basis& basis, const std::vector<Interface>& interfaces,
                            const std::vector<Cell>& cells) {
@@ -42,7 +41,8 @@ inline double largest_jump(const Harmonic_basis& basis, const std::vector<Interf
         basis.evaluate<1>(face.cell[1], z, b.data());
         for (std::size_t k = 0; k < stride; ++k) {
           const double value = std::abs(a[k] - b[k]);
-          const Complex gradient(a[k + stride] - b[k + stride], a[k + 2 * stride] - b[k + 2 * stride]);
+          const Complex gradient(a[k + stride] - b[k + stride],
+                                 a[k + 2 * stride] - b[k + 2 * stride]);
           const double largest = (std::max)(value, std::abs(dot(gradient, normal)));
           if (!(largest <= jump)) // NaN counts
             jump = largest;
@@ -77,7 +77,8 @@ inline Solution solve_laplace(const Boundary& boundary, Bisection_mesh mesh, dou
       assembler.assemble(face);
     oversampling *= 1.5;
   } while (!gluing.is_overdetermined());
-  Solution result{Harmonic_basis(cover.cells, gluing.solve(), Cell_locator(mesh, cover.cell_of)), 0};
+  Solution result{Harmonic_basis(cover.cells, gluing.solve(), Cell_locator(mesh, cover.cell_of)),
+                  0};
   result.error = error_estimate(largest_jump(result.basis, interfaces, cover.cells), interfaces);
   return result;
 }

@@ -12,7 +12,6 @@
 
 #include <cmath>
 
-
 namespace CGAL {
 namespace Multisided_patches {
 namespace internal {
@@ -67,7 +66,7 @@ inline Upper_triangular cholesky(const Matrix& a) {
       c[i] = (a(i, j) - dot(u.above(i), c, Matrix::padded(i))) / u.diagonal(i);
     const double square = a(j, j) - dot(c, c, Matrix::padded(j));
     if (!(square > 0))
-      throw Numerical_error("harmonic coordinates: the equations are not positive definite");
+      throw Numerical_error("the equations are not positive definite");
     u.diagonal(j) = std::sqrt(square);
   }
   return u;
@@ -81,7 +80,8 @@ inline void reflect(const double* v, std::size_t first, Matrix& a, std::size_t f
     const auto four = four_columns(a, j);
     const std::size_t count = (std::min)(a.columns() - j, std::size_t(4));
     const std::array<double, 4> d =
-        dots(v + skip, std::array{four[0] + skip, four[1] + skip, four[2] + skip, four[3] + skip}, length);
+        dots(v + skip, std::array{four[0] + skip, four[1] + skip, four[2] + skip, four[3] + skip},
+             length);
     for (std::size_t k = 0; k < count; ++k)
       add_multiple(-d[k], v + skip, four[k] + skip, length);
   }

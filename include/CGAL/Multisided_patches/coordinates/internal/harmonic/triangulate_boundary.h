@@ -14,7 +14,6 @@
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
-
 namespace CGAL {
 namespace Multisided_patches {
 namespace internal {
@@ -29,8 +28,9 @@ inline Bisection_mesh triangulate_boundary(const std::vector<Complex>& exact,
                                            const std::vector<Complex>& points) {
   using Kernel = Exact_predicates_inexact_constructions_kernel;
   using Vertex_base = Triangulation_vertex_base_with_info_2<std::size_t, Kernel>;
-  using Face_base = Triangulation_face_base_with_info_2<std::size_t, Kernel,
-                                                        Constrained_triangulation_face_base_2<Kernel>>;
+  using Face_base =
+      Triangulation_face_base_with_info_2<std::size_t, Kernel,
+                                          Constrained_triangulation_face_base_2<Kernel>>;
   using Tds = Triangulation_data_structure_2<Vertex_base, Face_base>;
   using Cdt = Constrained_Delaunay_triangulation_2<Kernel, Tds>;
   using Face_handle = Cdt::Face_handle;
