@@ -83,6 +83,7 @@ void domain_command(const Domain_picture_options& options) {
   const Model model = read_model(options.patch);
   check_index(options.side, model.loop.size(), "--side");
   check_index(options.coordinate, model.loop.size(), "--coordinate");
+  MP::internal::check_different(options.output, options.patch.input);
   MP::internal::check_writable(options.output);
 
   const auto [domain, report] = MP::make_domain(model.loop, model.domain);

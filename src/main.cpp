@@ -5,7 +5,8 @@
 
 #include "commands.h"
 
-#include <CGAL/Multisided_patches/errors.h>
+#include <CGAL/Multisided_patches/IO/CGB.h>
+#include <CGAL/Multisided_patches/meshing/Mesh_density.h>
 
 #include <CLI/CLI.hpp>
 
@@ -45,7 +46,8 @@ void add_patch_options(CLI::App& command, Patch_options& options) {
       .add_option("--domain", options.domain,
                   "how to make the planar domain (default: as the file says):\n"
                   "automatic, projected, similarity, similarity-outer, circular, regular")
-      ->transform(CLI::CheckedTransformer(domains).description(""))
+      ->transform(CLI::Transformer(domains).description(""))
+      ->transform(CLI::IsMember(domains).description(""))
       ->type_name("NAME");
   command
       .add_option("--clearance", options.clearance,
@@ -57,13 +59,15 @@ void add_patch_options(CLI::App& command, Patch_options& options) {
       .add_option("--coordinates", options.coordinates,
                   "barycentric coordinates: harmonic (default, any domain), mean-value\n"
                   "(any domain), wachspress (convex domains)")
-      ->transform(CLI::CheckedTransformer(coordinates).description(""))
+      ->transform(CLI::Transformer(coordinates).description(""))
+      ->transform(CLI::IsMember(coordinates).description(""))
       ->type_name("NAME");
   command
       .add_option("--central-weight", options.central_weight,
                   "weight of the central control point (default: as the file says):\n"
                   "weight-deficiency, none, adjacent-products, full-product")
-      ->transform(CLI::CheckedTransformer(central_weights).description(""))
+      ->transform(CLI::Transformer(central_weights).description(""))
+      ->transform(CLI::IsMember(central_weights).description(""))
       ->type_name("NAME");
 }
 
@@ -81,6 +85,7 @@ void add_mesh_command(CLI::App& app, Mesh_options& options) {
                      ->type_name("X");
   command
       .add_option("--triangles", options.triangles, "target number of triangles (default: 10000)")
+      ->check(CLI::Range(std::size_t{1}, MP::Mesh_density::max_triangles).description(""))
       ->type_name("N")
       ->excludes(length);
   command
@@ -106,11 +111,15 @@ void add_domain_command(CLI::App& app, Domain_picture_options& options) {
   command.add_option("-o,--output", options.output, "the picture to write, an .svg file")
       ->required()
       ->type_name("FILE");
+  const auto index_range =
+      CLI::Range(std::size_t{0}, MP::IO::CGB_limits::max_sides - 1).description("");
   command.add_option("--side", options.side, "the side whose s and h are drawn (default: 0)")
+      ->check(index_range)
       ->type_name("I");
   command
       .add_option("--coordinate", options.coordinate,
                   "the vertex whose coordinate is drawn (default: 0)")
+      ->check(index_range)
       ->type_name("I");
   command.callback([&options] { domain_command(options); });
 }
@@ -130,7 +139,8 @@ int main(int argc, char* argv[]) {
   app.footer("Example:  multipatch mesh bracket.cgb -o bracket.ply --triangles 20000\n"
              "Help on a command:  multipatch mesh --help");
   app.set_version_flag("--version", "multipatch " MULTIPATCH_VERSION);
-  app.require_subcommand(1);
+  // With a minimum of 1, a misspelt command would not be named in the message.
+  app.require_subcommand(0, 1);
 
   Mesh_options mesh;
   std::string info_input;
@@ -141,6 +151,8 @@ int main(int argc, char* argv[]) {
 
   try {
     app.parse(argc, argv);
+    if (app.get_subcommands().empty())
+      throw CLI::RequiredError::Subcommand(1);
     return success;
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? success : wrong_usage;

@@ -72,6 +72,11 @@ void mesh_command(const Mesh_options& options) {
   MP::IO::mesh_format(options.output);
   Stage_clock clock(options.quiet);
   const Model model = clock.run("reading", [&] { return read_model(options.patch); });
+  MP::internal::check_different(options.output, options.patch.input);
+  if (!options.report.empty()) {
+    MP::internal::check_different(options.report, options.patch.input);
+    MP::internal::check_different(options.report, options.output);
+  }
   MP::internal::check_writable(options.output);
   if (!options.report.empty())
     MP::internal::check_writable(options.report);

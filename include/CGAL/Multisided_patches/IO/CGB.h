@@ -8,12 +8,13 @@
 
 #include <CGAL/Multisided_patches/IO/internal/Token_reader.h>
 #include <CGAL/Multisided_patches/IO/internal/file_access.h>
+#include <CGAL/Multisided_patches/internal/to_text.h>
 #include <CGAL/Multisided_patches/patches/Concave_bezier_model_3.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <istream>
-#include <limits>
 #include <ostream>
 #include <string>
 #include <utility>
@@ -141,40 +142,36 @@ Concave_bezier_model_3<Traits> read_CGB(const std::string& file_name) {
 }
 
 /*!
- * writes a patch in `.cgb` format, with 17 significant digits, so that doubles are read back as
- * they were. The format knows only four ways to make a domain; others are written as similarity.
+ * writes a patch in `.cgb` format. Numbers have as many digits as it takes to read the same doubles
+ * back. The format knows only four ways to make a domain; others are written as similarity.
  */
 template <typename Traits>
 void write_CGB(std::ostream& out, const Concave_bezier_model_3<Traits>& model) {
+  using Multisided_patches::internal::to_text;
   const auto index_of = [](const auto& values, auto value, std::size_t otherwise) {
-    for (std::size_t i = 0; i < values.size(); ++i)
-      if (values[i] == value)
-        return i;
-    return otherwise;
+    const auto found = std::find(values.begin(), values.end(), value);
+    return std::to_string(found == values.end() ? otherwise : found - values.begin());
   };
-  const auto write_point = [&out](const typename Traits::Point_3& p) {
-    out << CGAL::to_double(p.x()) << ' ' << CGAL::to_double(p.y()) << ' ' << CGAL::to_double(p.z())
-        << '\n';
+  const auto point = [](const typename Traits::Point_3& p) {
+    return to_text(CGAL::to_double(p.x())) + ' ' + to_text(CGAL::to_double(p.y())) + ' ' +
+           to_text(CGAL::to_double(p.z())) + '\n';
   };
 
-  const auto precision = out.precision(std::numeric_limits<double>::max_digits10);
+  // Only text goes to the stream, so that its format flags and its locale have no effect.
   out << index_of(internal::central_weights, model.central_weight, 1) << '\n'
       << index_of(internal::domain_types, model.domain.generator, 1) << '\n'
-      << model.domain.clearance << '\n'
-      << model.parameter_dilation << '\n'
-      << model.loop.size() << '\n';
-  write_point(model.central_point.value_or(model.default_central_point()));
+      << to_text(model.domain.clearance) << '\n'
+      << to_text(model.parameter_dilation) << '\n'
+      << std::to_string(model.loop.size()) << '\n'
+      << point(model.central_point.value_or(model.default_central_point()));
   for (const auto& ribbon : model.loop.ribbons()) {
-    out << ribbon.degree() << ' ' << ribbon.layers() << '\n';
+    out << std::to_string(ribbon.degree()) << ' ' << std::to_string(ribbon.layers()) << '\n';
     for (const auto& p : ribbon.control_points())
-      write_point(p);
+      out << point(p);
   }
-  out << model.corner_control_points.size() << '\n';
-  for (const auto& corner : model.corner_control_points) {
-    out << corner.index << ' ';
-    write_point(corner.point);
-  }
-  out.precision(precision);
+  out << std::to_string(model.corner_control_points.size()) << '\n';
+  for (const auto& corner : model.corner_control_points)
+    out << std::to_string(corner.index) << ' ' << point(corner.point);
 }
 
 //! writes a patch to a `.cgb` file, whole or not at all. \throws Error if it cannot be written

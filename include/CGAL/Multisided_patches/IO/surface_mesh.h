@@ -49,6 +49,30 @@ inline Mesh_format mesh_format(const std::string& file_name) {
   throw Input_error(file_name + ": expected a name that ends in .ply, .obj, .off or .stl");
 }
 
+namespace internal {
+
+// CGAL's own writer gives the normals, but its faces do not refer to them.
+template <typename Mesh, typename Normals>
+void write_OBJ(std::ostream& out, const Mesh& mesh, const Normals& normals) {
+  out.precision(17);
+  for (const auto v : mesh.vertices())
+    out << "v " << mesh.point(v) << '\n';
+  if (normals)
+    for (const auto v : mesh.vertices())
+      out << "vn " << (*normals)[v] << '\n';
+  for (const auto f : mesh.faces()) {
+    out << 'f';
+    for (const auto v : mesh.vertices_around_face(mesh.halfedge(f))) {
+      out << ' ' << v.idx() + 1;
+      if (normals)
+        out << "//" << v.idx() + 1;
+    }
+    out << '\n';
+  }
+}
+
+} // namespace internal
+
 /*!
  * writes a mesh made by `tessellate()` in the format that the name asks for, whole or not at all.
  *
@@ -82,8 +106,8 @@ void write_mesh(const std::string& file_name, const Surface_mesh<Point_3>& mesh)
                      : CGAL::IO::write_OFF(out, mesh, parameters);
     break;
   case Mesh_format::OBJ:
-    written = normal ? CGAL::IO::write_OBJ(out, mesh, parameters.vertex_normal_map(*normal))
-                     : CGAL::IO::write_OBJ(out, mesh, parameters);
+    internal::write_OBJ(out, mesh, normal);
+    written = out.good();
     break;
   }
   if (!written)

@@ -42,8 +42,9 @@ namespace Multisided_patches {
  * bisector of the corner, 10^-6 times the distance to the nearest other vertex or visible side
  * away.
  *
- * Setting up takes about 10 ms for 8 vertices and grows with about n^1.6. Evaluating all
- * coordinates with gradients at a point takes about a microsecond for n = 8, and no memory.
+ * Setting up takes some milliseconds for 8 vertices, and grows a little faster than n^1.6.
+ * Evaluating all coordinates with gradients at a point takes less than a microsecond for n = 8, and
+ * no memory.
  *
  * \cgalModels BarycentricCoordinates_2
  *

@@ -9,6 +9,7 @@
 #include <CGAL/Multisided_patches/domains/Domain_location.h>
 #include <CGAL/Multisided_patches/domains/internal/polygon_checks.h>
 #include <CGAL/Multisided_patches/errors.h>
+#include <CGAL/Multisided_patches/internal/to_text.h>
 #include <CGAL/Multisided_patches/ribbons/Corner_type.h>
 
 #include <cmath>
@@ -185,6 +186,16 @@ public:
         inside = !inside;
     }
     return inside ? Location::interior() : Location::outside();
+  }
+
+  //! the same for a point that must not be outside. \throws Outside_domain_error if it is
+  Location locate_inside(const Point_2& p) const {
+    const Location location = locate(p);
+    if (location.kind == Location::Kind::outside)
+      throw Outside_domain_error("the point (" + internal::to_short_text(CGAL::to_double(p.x())) +
+                                 ", " + internal::to_short_text(CGAL::to_double(p.y())) +
+                                 ") lies outside the domain");
+    return location;
   }
 
 private:

@@ -12,6 +12,7 @@
 #include <CGAL/Multisided_patches/domains/make_projected_domain.h>
 #include <CGAL/Multisided_patches/domains/make_regular_domain.h>
 #include <CGAL/Multisided_patches/domains/make_similarity_domain.h>
+#include <CGAL/Multisided_patches/internal/to_text.h>
 #include <CGAL/Multisided_patches/ribbons/Ribbon_loop_3.h>
 
 #include <optional>
@@ -60,15 +61,18 @@ public:
   Domain_maker(const Loop& loop, const Domain_options& options) : loop_(loop) {
     report_.requested = options.generator;
     report_.wanted_clearance = options.clearance;
+    if (!(options.clearance >= 0))
+      throw Input_error("the wanted clearance must be a number that is not negative, not " +
+                        to_short_text(options.clearance));
   }
 
   Generated_domain<Traits> make() {
     for (Domain_generator generator : candidates())
       if (std::optional<Domain> domain = attempt(generator)) {
         if (report_.clearance < report_.wanted_clearance)
-          remark(generator, "the clearance of " + std::to_string(report_.clearance) +
+          remark(generator, "the clearance of " + to_short_text(report_.clearance) +
                                 " is less than the wanted " +
-                                std::to_string(report_.wanted_clearance));
+                                to_short_text(report_.wanted_clearance));
         report_.used = generator;
         return {std::move(*domain), std::move(report_)};
       }
@@ -145,7 +149,7 @@ private:
     report_.clearance = best_clearance;
     report_.repair = best_repair;
     if (best_repair > 0)
-      remark(generator, "repaired: taken " + std::to_string(100 * best_repair) +
+      remark(generator, "repaired: taken " + to_short_text(100 * best_repair) +
                             " percent of the way to the regular domain");
     return best;
   }
@@ -182,6 +186,8 @@ private:
  * half of the way to the regular domain. Since the regular generator cannot fail on a loop with 3
  * or more corners that are not reflex, there always is a domain; on other loops, which no planar
  * polygon can resemble, it is a regular polygon, and the report says so.
+ *
+ * \throws Input_error if the wanted clearance is negative or not a number
  *
  * Complexity: O(n²) for n sides, because of the clearance.
  */

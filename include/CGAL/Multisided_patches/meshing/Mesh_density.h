@@ -7,6 +7,7 @@
 #define CGAL_MULTISIDED_PATCHES_MESH_DENSITY_H
 
 #include <CGAL/Multisided_patches/errors.h>
+#include <CGAL/Multisided_patches/internal/to_text.h>
 
 #include <cmath>
 #include <cstddef>
@@ -28,7 +29,7 @@ public:
   Mesh_density(double length) : edge_length_(length) {
     if (!(length > 0) || !std::isfinite(length))
       throw Input_error("the target edge length must be a positive number, not " +
-                        std::to_string(length));
+                        internal::to_short_text(length));
   }
 
   //! a target edge length (model units). \throws Input_error if it is not positive and finite

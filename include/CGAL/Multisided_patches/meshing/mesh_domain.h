@@ -7,6 +7,7 @@
 #define CGAL_MULTISIDED_PATCHES_MESH_DOMAIN_H
 
 #include <CGAL/Multisided_patches/errors.h>
+#include <CGAL/Multisided_patches/internal/to_text.h>
 #include <CGAL/Multisided_patches/internal/vector_utils.h>
 #include <CGAL/Multisided_patches/meshing/Domain_mesh_2.h>
 #include <CGAL/Multisided_patches/meshing/Mesh_density.h>
@@ -37,6 +38,8 @@ public:
       perimeter += side_lengths_.back();
       domain_perimeter += patch.domain().side_length(i);
     }
+    if (!(perimeter > 0) || !std::isfinite(perimeter))
+      throw Numerical_error("the boundary of the patch has no length that could be divided");
     domain_area_ = CGAL::to_double(patch.domain().area());
     // A coarse mesh, scaled by the perimeters, tells how much larger the surface is than the
     // domain.
@@ -67,8 +70,8 @@ public:
     for (const double length : side_lengths_)
       count += length / edge_length;
     if (!(count <= static_cast<double>(Mesh_density::max_triangles)))
-      throw Input_error("an edge length of " + std::to_string(edge_length) + " would need about " +
-                        std::to_string(count) + " triangles; the limit is " +
+      throw Input_error("an edge length of " + to_short_text(edge_length) + " would need about " +
+                        to_short_text(count) + " triangles; the limit is " +
                         std::to_string(Mesh_density::max_triangles));
   }
 
@@ -76,13 +79,13 @@ public:
   double edge_length_for(std::size_t target) const {
     const double guess = edge_length_for_area(surface_area() / static_cast<double>(target));
     double fine = guess, coarse = guess;
-    while (number_of_triangles(fine) < target)
+    for (int k = 0; k < max_steps && number_of_triangles(fine) < target; ++k)
       fine *= 0.8;
-    for (int k = 0; k < 60 && number_of_triangles(coarse) > target; ++k)
+    for (int k = 0; k < max_steps && number_of_triangles(coarse) > target; ++k)
       coarse *= 1.25;
     // 1 in 1000, or what the lattice allows
     const std::size_t tolerance = target / 1000;
-    for (int k = 0; k < 30; ++k) {
+    for (int k = 0; k < max_steps; ++k) {
       const double middle = (fine + coarse) / 2;
       const std::size_t count = number_of_triangles(middle);
       if (count > target)
@@ -96,6 +99,9 @@ public:
   }
 
 private:
+  // Of searches that take much fewer on any sensible input.
+  static constexpr int max_steps = 40;
+
   static double edge_length_for_area(double triangle_area) {
     return std::sqrt(triangle_area * 4 / std::sqrt(3.0));
   }
@@ -140,6 +146,7 @@ private:
  * \tparam Patch a model of `MultisidedPatch_3`
  *
  * \throws Input_error if the density asks for more than `Mesh_density::max_triangles` triangles
+ * \throws Numerical_error if the boundary curves have no length
  */
 template <typename Patch>
 Domain_mesh_2<typename Patch::Geom_traits> mesh_domain(const Patch& patch,

@@ -8,6 +8,7 @@
 
 #include <CGAL/Multisided_patches/errors.h>
 #include <CGAL/Multisided_patches/internal/for_each_index.h>
+#include <CGAL/Multisided_patches/internal/to_text.h>
 #include <CGAL/Multisided_patches/internal/vector_utils.h>
 #include <CGAL/Multisided_patches/meshing/Domain_mesh_2.h>
 #include <CGAL/Multisided_patches/meshing/Mesh_density.h>
@@ -80,9 +81,10 @@ void tessellate(const Patch& patch, const Domain_mesh_2<typename Patch::Geom_tra
   for (std::size_t i = 0; i < n; ++i) {
     const Point_3& p = vertices[i].first;
     if (!CGAL::is_finite(p.x()) || !CGAL::is_finite(p.y()) || !CGAL::is_finite(p.z()))
-      throw Numerical_error("the surface is not finite at (u,v) = (" +
-                            std::to_string(CGAL::to_double(domain_mesh.points[i].x())) + ", " +
-                            std::to_string(CGAL::to_double(domain_mesh.points[i].y())) + ")");
+      throw Numerical_error(
+          "the surface is not finite at (u,v) = (" +
+          internal::to_short_text(CGAL::to_double(domain_mesh.points[i].x())) + ", " +
+          internal::to_short_text(CGAL::to_double(domain_mesh.points[i].y())) + ")");
   }
   internal::fill_missing_normals(domain_mesh.triangles, vertices);
 

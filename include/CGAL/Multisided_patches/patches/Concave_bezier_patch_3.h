@@ -98,12 +98,12 @@ public:
    *
    * Complexity: that of the coordinates, plus linear in the number of control points.
    */
-  Point_3 operator()(const Point_2& uv) const { return point(uv, locate(uv)); }
+  Point_3 operator()(const Point_2& uv) const { return point(uv, domain().locate_inside(uv)); }
 
   //! the same where the caller knows where `uv` lies. \pre `uv` is not outside the domain
   Point_3 point(const Point_2& uv, const Location& location) const {
     if (location.is_on_boundary())
-      return loop_[location.index].boundary_point(location.s);
+      return boundary_point(location);
     return to_point(evaluate<0>(uv, location));
   }
 
@@ -130,7 +130,7 @@ public:
   //! the same for a point of which only the position is known. \throws Outside_domain_error
   template <int Order>
   Surface_jet<Order> evaluate(const Point_2& uv) const {
-    return evaluate<Order>(uv, locate(uv));
+    return evaluate<Order>(uv, domain().locate_inside(uv));
   }
 
   /*!
@@ -155,7 +155,7 @@ public:
 
   //! the unit normal at `uv`, on the side from which the boundary runs counterclockwise; zero where
   //! the patch has no tangent plane. \throws Outside_domain_error
-  Vector_3 normal(const Point_2& uv) const { return normal(uv, locate(uv)); }
+  Vector_3 normal(const Point_2& uv) const { return normal(uv, domain().locate_inside(uv)); }
 
   /*!
    * the same where the caller knows where `uv` lies. On the boundary the normal is that of the
@@ -173,7 +173,7 @@ public:
   //! `point()` and `normal()` at the cost of one evaluation
   std::pair<Point_3, Vector_3> point_and_normal(const Point_2& uv, const Location& location) const {
     if (location.is_on_boundary())
-      return {point(uv, location), normal(uv, location)};
+      return {boundary_point(location), normal(uv, location)};
     const Surface_jet<1> surface = evaluate<1>(uv, location);
     return {to_point(surface), to_vector(tangent_plane_normal(surface))};
   }
@@ -203,13 +203,8 @@ private:
     return degrees_and_layers;
   }
 
-  Location locate(const Point_2& uv) const {
-    const Location location = domain().locate(uv);
-    if (location.kind == Location::Kind::outside)
-      throw Outside_domain_error("the point (" + std::to_string(CGAL::to_double(uv.x())) + ", " +
-                                 std::to_string(CGAL::to_double(uv.y())) +
-                                 ") lies outside the domain of the patch");
-    return location;
+  Point_3 boundary_point(const Location& location) const {
+    return loop_[location.index].boundary_point(location.s);
   }
 
   internal::Vec3 ribbon_normal(const Location& location) const {

@@ -7,6 +7,7 @@
 #define CGAL_MULTISIDED_PATCHES_RIBBON_LOOP_3_H
 
 #include <CGAL/Multisided_patches/errors.h>
+#include <CGAL/Multisided_patches/internal/to_text.h>
 #include <CGAL/Multisided_patches/ribbons/Bezier_ribbon_3.h>
 #include <CGAL/Multisided_patches/ribbons/Corner_type.h>
 #include <CGAL/Multisided_patches/ribbons/internal/corner_geometry.h>
@@ -44,6 +45,9 @@ public:
   using Vector_3 = typename Traits::Vector_3;
   using Ribbon = Bezier_ribbon_3<Traits>;
 
+  //! The sizes of loops between which squares of lengths neither vanish nor overflow.
+  static constexpr double min_diagonal = 1e-152, max_diagonal = 1e152;
+
   /*!
    * checks and stores the ribbons of a loop.
    *
@@ -52,8 +56,8 @@ public:
    * fraction of the diagonal of the bounding box; the end of the earlier ribbon is moved onto the
    * start of the later one, so that the loop closes exactly
    *
-   * \throws Input_error if there are fewer than 3 ribbons, the loop does not close or the boundary
-   * curve of a side is a single point
+   * \throws Input_error if there are fewer than 3 ribbons, the loop does not close, the boundary
+   * curve of a side is a single point, or the size of the loop is out of range
    */
   explicit Ribbon_loop_3(std::vector<Ribbon> ribbons, double relative_tolerance = 1e-9)
       : ribbons_(std::move(ribbons)) {
@@ -62,6 +66,10 @@ public:
     for (const Ribbon& r : ribbons_)
       for (const Point_3& p : r.control_points())
         bbox_ += p.bbox();
+    if (!(diagonal() > min_diagonal && diagonal() < max_diagonal))
+      throw Input_error("the control points are too far apart or too close to each other: the "
+                        "diagonal of their bounding box is " +
+                        internal::to_short_text(diagonal()) + ", not between 1e-152 and 1e152");
     for (std::size_t i = 0; i < size(); ++i)
       close_corner(i, relative_tolerance * diagonal());
     for (std::size_t i = 0; i < size(); ++i)
@@ -107,7 +115,7 @@ public:
 
   //! the bounding box of all control points (model units)
   const Bbox_3& bbox() const { return bbox_; }
-  //! the diagonal of the bounding box (model units)
+  //! the diagonal of the bounding box (model units), between `min_diagonal` and `max_diagonal`
   double diagonal() const {
     return internal::norm(
         {bbox_.xmax() - bbox_.xmin(), bbox_.ymax() - bbox_.ymin(), bbox_.zmax() - bbox_.zmin()});
@@ -123,7 +131,7 @@ private:
     const double gap = internal::norm(internal::to_vec3(start - end));
     if (!(gap <= tolerance))
       throw Input_error("the loop does not close: side " + std::to_string(i) + " ends " +
-                        std::to_string(gap) + " away from the start of side " +
+                        internal::to_short_text(gap) + " away from the start of side " +
                         std::to_string(next(i)));
     std::vector<Point_3> points = r.control_points();
     points[r.degree()] = start;

@@ -60,7 +60,9 @@ private:
 
   template <typename Number>
   static bool parse(const std::string& token, Number& value) {
-    const char* first = token.data() + (token[0] == '+' ? 1 : 0);
+    // from_chars knows no plus sign; what follows one must not be a second sign.
+    const bool plus = token.size() > 1 && token[0] == '+' && token[1] != '-';
+    const char* first = token.data() + (plus ? 1 : 0);
     const char* last = token.data() + token.size();
     const auto [end, error] = std::from_chars(first, last, value);
     return error == std::errc() && end == last;

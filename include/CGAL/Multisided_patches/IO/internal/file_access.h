@@ -10,6 +10,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <locale>
 #include <random>
 #include <string>
 #include <system_error>
@@ -40,6 +41,8 @@ public:
     const auto status = std::filesystem::status(file_name, ignored);
     replace_ = !std::filesystem::exists(status) || std::filesystem::is_regular_file(status);
     partial_ = replace_ ? name_ + ".part" + std::to_string(std::random_device{}()) : name_;
+    // Files are written alike whatever the global locale is.
+    out_.imbue(std::locale::classic());
     out_.open(partial_, std::ios::binary);
     if (!out_)
       throw Error(file_name + ": cannot be opened for writing");
@@ -74,6 +77,14 @@ private:
   std::ofstream out_;
   bool replace_ = true, committed_ = false;
 };
+
+// Throws Input_error if two names are of one file, which one of them would overwrite.
+inline void check_different(const std::string& a, const std::string& b) {
+  std::error_code ignored;
+  if (std::filesystem::weakly_canonical(std::filesystem::absolute(a), ignored) ==
+      std::filesystem::weakly_canonical(std::filesystem::absolute(b), ignored))
+    throw Input_error(a + ": cannot be written: it is the same file as " + b);
+}
 
 // Throws Error if a file of this name cannot be made; leaves no trace.
 inline void check_writable(const std::string& file_name) {

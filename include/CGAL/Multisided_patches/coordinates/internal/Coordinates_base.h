@@ -9,11 +9,11 @@
 #include <CGAL/Multisided_patches/Jet_2.h>
 #include <CGAL/Multisided_patches/domains/Polygonal_domain_2.h>
 
-#include <CGAL/number_utils.h>
+#include <CGAL/assertions.h>
 
 #include <boost/container/small_vector.hpp>
 
-#include <string>
+#include <cstddef>
 
 namespace CGAL {
 namespace Multisided_patches {
@@ -51,11 +51,7 @@ public:
 
   template <typename OutputIterator>
   OutputIterator operator()(const Point_2& p, OutputIterator out) const {
-    const Location location = domain_.locate(p);
-    if (location.kind == Location::Kind::outside)
-      throw Outside_domain_error("the point (" + std::to_string(CGAL::to_double(p.x())) + ", " +
-                                 std::to_string(CGAL::to_double(p.y())) +
-                                 ") lies outside the domain");
+    const Location location = domain_.locate_inside(p);
     boost::container::small_vector<Jet_2<FT, 0>, 32> lambda(domain_.size());
     evaluate<0>(p, location, lambda.data());
     for (const Jet_2<FT, 0>& l : lambda)

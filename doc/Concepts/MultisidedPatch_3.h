@@ -1,0 +1,38 @@
+/*!
+ * \ingroup PkgMultisidedPatchesConcepts
+ * \cgalConcept
+ *
+ * A surface over a `Polygonal_domain_2`, as far as meshing needs to know it: what `mesh_domain()` and
+ * `tessellate()` ask of a patch. A class need not derive from anything to be a model.
+ *
+ * The const members may be called from several threads at once.
+ *
+ * \cgalHasModelsBegin
+ * \cgalHasModels{CGAL::Multisided_patches::Concave_bezier_patch_3}
+ * \cgalHasModelsEnd
+ */
+class MultisidedPatch_3 {
+public:
+  //! a CGAL kernel with exact predicates
+  using Geom_traits = unspecified_type;
+  using Point_2 = Geom_traits::Point_2;
+  using Point_3 = Geom_traits::Point_3;
+  using Vector_3 = Geom_traits::Vector_3;
+
+  const Polygonal_domain_2<Geom_traits>& domain() const;
+
+  //! the length of the boundary curve of side `i` (model units), positive; patches that share a
+  //! curve must agree on it bitwise to be sampled alike
+  double side_length(std::size_t i) const;
+
+  /*!
+   * the point of the surface at `uv` (model units) and its unit normal, or the zero vector where it
+   * has none; the normal points to the side from which the boundary runs counterclockwise.
+   *
+   * `location` says where `uv` lies in the domain. If it is on the boundary, the point must depend on
+   * nothing but `location`, because `uv` is rounded.
+   */
+  std::pair<Point_3, Vector_3>
+  point_and_normal(const Point_2& uv,
+                   const Polygonal_domain_2<Geom_traits>::Location& location) const;
+};

@@ -1,0 +1,136 @@
+// Copyright (c) 2026 The CGAL Multisided Patches project.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_MULTISIDED_PATCHES_INTERNAL_BOUNDARY_TRIANGULATION_H
+#define CGAL_MULTISIDED_PATCHES_INTERNAL_BOUNDARY_TRIANGULATION_H
+
+#include <CGAL/Multisided_patches/errors.h>
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Multisided_patches {
+namespace internal {
+
+// The constrained Delaunay triangulation of a set of points, of which the first ones bound a
+// domain, and the triangles inside the domain. All that meshes domains uses this one type, as it is
+// costly to compile.
+template <typename Traits>
+class Boundary_triangulation {
+public:
+  using Point_2 = typename Traits::Point_2;
+
+  static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
+
+  struct Triangle {
+    std::array<std::size_t, 3> vertices;  // indices of points, counterclockwise
+    std::array<std::size_t, 3> neighbors; // opposite to the vertices; `none` across the boundary
+  };
+
+  // The domain is on the left of the edges from points[k] to points[next[k]], k < next.size(),
+  // which make up its boundary. Throws Numerical_error if points coincide or edges cross.
+  Boundary_triangulation(const std::vector<Point_2>& points, const std::vector<std::size_t>& next) {
+    insert(points);
+    constrain(next);
+    std::vector<Face_handle> inside = faces_along_boundary(next);
+    add_reachable(inside);
+    triangles_.reserve(inside.size());
+    for (const Face_handle f : inside)
+      triangles_.push_back(triangle(f));
+  }
+
+  // The triangles of the domain.
+  const std::vector<Triangle>& triangles() const { return triangles_; }
+
+private:
+  using Vertex_base = Triangulation_vertex_base_with_info_2<std::size_t, Traits>;
+  using Face_base =
+      Triangulation_face_base_with_info_2<std::size_t, Traits,
+                                          Constrained_triangulation_face_base_2<Traits>>;
+  using Triangulation =
+      Constrained_Delaunay_triangulation_2<Traits,
+                                           Triangulation_data_structure_2<Vertex_base, Face_base>,
+                                           No_constraint_intersection_requiring_constructions_tag>;
+  using Vertex_handle = typename Triangulation::Vertex_handle;
+  using Face_handle = typename Triangulation::Face_handle;
+
+  void insert(const std::vector<Point_2>& points) {
+    std::vector<std::pair<Point_2, std::size_t>> numbered;
+    numbered.reserve(points.size());
+    for (std::size_t k = 0; k < points.size(); ++k)
+      numbered.emplace_back(points[k], k);
+    triangulation_.insert(numbered.begin(), numbered.end());
+    if (triangulation_.number_of_vertices() != points.size())
+      throw Numerical_error("points of the domain's boundary coincide: its sides are too close to "
+                            "each other, or too short, for the precision of the coordinates");
+  }
+
+  void constrain(const std::vector<std::size_t>& next) {
+    std::vector<Vertex_handle> handles(next.size());
+    for (const Vertex_handle v : triangulation_.finite_vertex_handles())
+      if (v->info() < next.size())
+        handles[v->info()] = v;
+    try {
+      for (std::size_t k = 0; k < next.size(); ++k)
+        triangulation_.insert_constraint(handles[k], handles[next[k]]);
+    } catch (const typename Triangulation::Intersection_of_constraints_exception&) {
+      throw Numerical_error("edges on the domain's boundary cross: its sides are too close to each "
+                            "other for the precision of the coordinates");
+    }
+  }
+
+  std::vector<Face_handle> faces_along_boundary(const std::vector<std::size_t>& next) {
+    for (const Face_handle f : triangulation_.all_face_handles())
+      f->info() = none;
+    std::vector<Face_handle> faces;
+    const auto is_left_of_boundary = [&](Face_handle f, int i) {
+      return f->is_constrained(i) && next[f->vertex(Triangulation::ccw(i))->info()] ==
+                                         f->vertex(Triangulation::cw(i))->info();
+    };
+    for (const Face_handle f : triangulation_.finite_face_handles())
+      if (is_left_of_boundary(f, 0) || is_left_of_boundary(f, 1) || is_left_of_boundary(f, 2))
+        add(faces, f);
+    return faces;
+  }
+
+  // A face without an edge on the boundary is where its neighbours are.
+  void add_reachable(std::vector<Face_handle>& faces) {
+    for (std::size_t t = 0; t < faces.size(); ++t)
+      for (int i = 0; i < 3; ++i)
+        if (!faces[t]->is_constrained(i) && faces[t]->neighbor(i)->info() == none)
+          add(faces, faces[t]->neighbor(i));
+  }
+
+  static void add(std::vector<Face_handle>& faces, Face_handle f) {
+    f->info() = faces.size();
+    faces.push_back(f);
+  }
+
+  static Triangle triangle(Face_handle f) {
+    Triangle t;
+    for (int i = 0; i < 3; ++i) {
+      t.vertices[i] = f->vertex(i)->info();
+      t.neighbors[i] = f->is_constrained(i) ? none : f->neighbor(i)->info();
+    }
+    return t;
+  }
+
+  Triangulation triangulation_;
+  std::vector<Triangle> triangles_;
+};
+
+} // namespace internal
+} // namespace Multisided_patches
+} // namespace CGAL
+
+#endif // CGAL_MULTISIDED_PATCHES_INTERNAL_BOUNDARY_TRIANGULATION_H
