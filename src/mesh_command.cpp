@@ -57,6 +57,9 @@ void run(const Mesh_options& options, const MP::Mesh_density& density, const Mod
     report.triangles = mesh.number_of_faces();
     measure_edges(mesh, report);
   });
+  if (!report.topology.is_disk())
+    throw MP::Numerical_error(options.patch.input + ": the mesh came out torn; this is a defect of "
+                                                    "the program, please report it");
   clock.run("writing", [&] { MP::IO::write_mesh(options.output, mesh); });
   if (!options.report.empty())
     write_report(options, model, report, clock);

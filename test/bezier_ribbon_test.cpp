@@ -80,6 +80,7 @@ TEST_CASE("A ribbon refuses sizes that do not fit and coordinates that are not f
   CHECK_THROWS_AS(Ribbon(3, 0, four), MP::Input_error);
   CHECK_THROWS_WITH(Ribbon(3, 2, four), Contains("not 4"));
   CHECK_THROWS_AS(Ribbon(std::numeric_limits<std::size_t>::max(), 1, four), MP::Input_error);
+  CHECK_THROWS_AS(Ribbon(std::numeric_limits<std::size_t>::max(), 1, {}), MP::Input_error);
   std::vector<Point_3> bad = four;
   bad[3] = Point_3(0, std::numeric_limits<double>::quiet_NaN(), 0);
   CHECK_THROWS_WITH(Ribbon(1, 2, bad), Contains("control point 1 of row 1"));

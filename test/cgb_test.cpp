@@ -5,23 +5,15 @@
 
 #include "catch.h"
 #include "fixtures.h"
+#include "io_fixtures.h"
 
 #include <CGAL/Multisided_patches/IO/CGB.h>
-#include <CGAL/Multisided_patches/IO/surface_mesh.h>
-#include <CGAL/Multisided_patches/meshing/tessellate.h>
-#include <CGAL/Multisided_patches/patches/Concave_bezier_patch_3.h>
-
-#include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <iterator>
-#include <locale>
-#include <random>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -30,64 +22,8 @@ using namespace fixtures;
 using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
 using Model = MP::Concave_bezier_model_3<Kernel>;
-using Mesh = CGAL::Surface_mesh<Point_3>;
-using Vertex = Mesh::Vertex_index;
 
 namespace {
-
-namespace fs = std::filesystem;
-
-// A new directory that is removed with all that is in it.
-class Scratch_directory {
-public:
-  Scratch_directory()
-      : path_(fs::temp_directory_path() / ("cgb_test" + std::to_string(std::random_device{}()))) {
-    fs::create_directories(path_);
-  }
-  Scratch_directory(const Scratch_directory&) = delete;
-  Scratch_directory& operator=(const Scratch_directory&) = delete;
-  ~Scratch_directory() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-
-  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
-  std::vector<std::string> files() const {
-    std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(path_))
-      names.push_back(entry.path().filename().string());
-    return names;
-  }
-
-private:
-  fs::path path_;
-};
-
-std::string contents(const std::string& file_name) {
-  std::ifstream in(file_name, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-// Numbers as a country may write them: 1.234.567,8
-struct Decimal_comma : std::numpunct<char> {
-  char do_decimal_point() const override { return ','; }
-  char do_thousands_sep() const override { return '.'; }
-  std::string do_grouping() const override { return "\3"; }
-};
-
-const std::locale decimal_comma(std::locale::classic(), new Decimal_comma);
-
-// The locale of new streams, for a while.
-class Global_locale {
-public:
-  explicit Global_locale(const std::locale& locale) : before_(std::locale::global(locale)) {}
-  Global_locale(const Global_locale&) = delete;
-  Global_locale& operator=(const Global_locale&) = delete;
-  ~Global_locale() { std::locale::global(before_); }
-
-private:
-  std::locale before_;
-};
 
 // Three sides with degrees 1, 2, 1 and 1, 1, 2 layers, and two extra corner control points.
 const std::string valid_text = R"(0
@@ -181,19 +117,6 @@ std::vector<std::uint64_t> bits(const Model& model) {
     add_point(corner.point);
   }
   return result;
-}
-
-Mesh l_shaped_mesh() {
-  const auto height = [](double x, double y) { return std::sin(x) * y / 3; };
-  Mesh mesh;
-  MP::tessellate(MP::Concave_bezier_patch_3<Kernel>(lifted_loop(l_shape(), height)), mesh,
-                 MP::Mesh_density::triangles(2500));
-  return mesh;
-}
-
-template <typename T>
-auto vertex_map(const Mesh& mesh, const std::string& name) {
-  return MP::internal::find_property_map<Vertex, T>(mesh, name);
 }
 
 } // namespace
@@ -411,6 +334,32 @@ TEST_CASE("Errors name the file that cannot be read or written") {
   CHECK(directory.files().empty());
 }
 
+TEST_CASE("Of a link, the file that it points to is replaced, and keeps its permissions") {
+  const Scratch_directory directory;
+  const std::string target = directory / "target", link = directory / "link";
+  std::ofstream(target) << "old";
+  fs::permissions(target, fs::perms::owner_read | fs::perms::owner_write);
+  fs::create_symlink(target, link);
+  MP::internal::Atomic_file file(link);
+  file.stream() << "new";
+  file.commit();
+  CHECK(fs::is_symlink(link));
+  CHECK(contents(target) == "new");
+  CHECK(fs::status(target).permissions() == (fs::perms::owner_read | fs::perms::owner_write));
+}
+
+TEST_CASE("A model that the .cgb format cannot hold is not written") {
+  Model model = read(valid_text);
+  model.domain.clearance = -1;
+  CHECK_THROWS_AS(written(model), MP::Input_error);
+  model.domain.clearance = 0;
+  model.parameter_dilation = std::nan("");
+  CHECK_THROWS_AS(written(model), MP::Input_error);
+  model.parameter_dilation = 0;
+  model.corner_control_points[0].index = 3;
+  CHECK_THROWS_AS(written(model), MP::Input_error);
+}
+
 TEST_CASE("A file is replaced as a whole or not at all") {
   const Scratch_directory directory;
   const std::string name = directory / "file";
@@ -432,95 +381,4 @@ TEST_CASE("A file is replaced as a whole or not at all") {
     MP::internal::check_writable(name);
     CHECK(contents(name) == text);
   }
-}
-
-TEST_CASE("A .ply mesh is read back as it was, with its normals and domain points") {
-  const Scratch_directory directory;
-  const Mesh mesh = l_shaped_mesh();
-  const Global_locale locale(GENERATE(std::locale(), decimal_comma));
-  MP::IO::write_mesh(directory / "mesh.PLY", mesh);
-  for (const std::string property : {"x", "y", "z", "nx", "ny", "nz", "u", "v"})
-    CHECK_THAT(contents(directory / "mesh.PLY"), Contains("\nproperty double " + property + "\n"));
-
-  Mesh again;
-  std::ifstream in(directory / "mesh.PLY", std::ios::binary);
-  in.imbue(std::locale::classic());
-  REQUIRE(CGAL::IO::read_PLY(in, again));
-  REQUIRE(again.number_of_vertices() == mesh.number_of_vertices());
-  CHECK(again.number_of_faces() == mesh.number_of_faces());
-  CHECK(std::equal(mesh.points().begin(), mesh.points().end(), again.points().begin()));
-  const auto same = [&](const auto& a, const auto& b) {
-    REQUIRE((a && b));
-    return std::equal(a->begin(), a->end(), b->begin());
-  };
-  CHECK(same(vertex_map<Vector_3>(mesh, "v:normal"), vertex_map<Vector_3>(again, "v:normal")));
-  for (const std::string name : {"v:u", "v:v"})
-    CHECK(same(vertex_map<double>(mesh, name), vertex_map<double>(again, name)));
-}
-
-TEST_CASE("Text formats of meshes give the same doubles back, with normals") {
-  const Scratch_directory directory;
-  const Mesh mesh = l_shaped_mesh();
-  const auto normals = vertex_map<Vector_3>(mesh, "v:normal");
-  const std::size_t n = mesh.number_of_vertices();
-  {
-    const Global_locale locale(GENERATE(std::locale(), decimal_comma));
-    MP::IO::write_mesh(directory / "mesh.off", mesh);
-    MP::IO::write_mesh(directory / "mesh.obj", mesh);
-  }
-  const auto reads = [](std::istream& in, const auto& p) {
-    double x = 0, y = 0, z = 0;
-    return in >> x >> y >> z && x == p.x() && y == p.y() && z == p.z();
-  };
-  std::ifstream off(directory / "mesh.off"), obj(directory / "mesh.obj");
-  std::string header;
-  std::size_t vertices = 0, faces = 0, edges = 0, equal_vertices = 0;
-  off >> header >> vertices >> faces >> edges;
-  CHECK(header == "NOFF");
-  CHECK(vertices == n);
-  CHECK(faces == mesh.number_of_faces());
-  for (const Vertex v : mesh.vertices())
-    equal_vertices += reads(off, mesh.point(v)) && reads(off, (*normals)[v]);
-  CHECK(equal_vertices == n);
-
-  // Programs use the normals only if the faces name them: f 1//1 2//2 3//3.
-  std::size_t points = 0, directions = 0, equal = 0, faces_with_normals = 0;
-  for (std::string line; std::getline(obj, line);) {
-    std::istringstream words(line);
-    std::string key, corner;
-    words >> key;
-    if (key == "v")
-      equal += reads(words, mesh.point(Vertex(static_cast<unsigned>(points++))));
-    else if (key == "vn")
-      equal += reads(words, (*normals)[Vertex(static_cast<unsigned>(directions++))]);
-    else if (key == "f" && words >> corner)
-      faces_with_normals += corner.find("//" + corner.substr(0, corner.find('/'))) + 1 > 1;
-  }
-  CHECK(points == n);
-  CHECK(directions == n);
-  CHECK(equal == 2 * n);
-  CHECK(faces_with_normals == mesh.number_of_faces());
-}
-
-TEST_CASE("A mesh without normals is written without them") {
-  const Scratch_directory directory;
-  Mesh mesh;
-  mesh.add_face(mesh.add_vertex(Point_3(0, 0, 0)), mesh.add_vertex(Point_3(1, 0, 0)),
-                mesh.add_vertex(Point_3(0, 1 / 3.0, 0)));
-  for (const std::string extension : {"ply", "obj", "off", "stl"}) {
-    MP::IO::write_mesh(directory / ("mesh." + extension), mesh);
-    for (const std::string normals : {"NOFF", "nx", "vn", "//"})
-      CHECK_THAT(contents(directory / ("mesh." + extension)), !Contains(normals));
-  }
-  CHECK(fs::file_size(directory / "mesh.stl") == 84 + 50);
-}
-
-TEST_CASE("A mesh is not written under a name that says no format") {
-  const Scratch_directory directory;
-  for (const std::string name : {"mesh", "mesh.", "mesh.foo", "ply", ".ply", "mesh.ply.gz"}) {
-    CHECK_THROWS_AS(MP::IO::write_mesh(directory / name, Mesh()), MP::Input_error);
-    CHECK_THROWS_WITH(MP::IO::mesh_format(name), StartsWith(name + ": expected a name that ends"));
-  }
-  CHECK_THROWS_AS(MP::IO::write_mesh(directory / "no/mesh.ply", Mesh()), MP::Error);
-  CHECK(directory.files().empty());
 }

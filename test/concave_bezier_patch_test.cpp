@@ -68,6 +68,30 @@ double angle(const Vector_3& a, const Vector_3& b) {
   return MP::internal::angle_between(MP::internal::to_vec3(a), MP::internal::to_vec3(b));
 }
 
+// A model of BarycentricCoordinates_2 that has nothing to do with the package's own: the bilinear
+// coordinates of the unit square.
+class Bilinear {
+public:
+  using Geom_traits = Kernel;
+  using FT = double;
+  using Point_2 = Kernel::Point_2;
+
+  explicit Bilinear(const Domain& domain) : domain_(domain) {}
+  const Domain& domain() const { return domain_; }
+  template <int Order>
+  void evaluate(const Point_2& p, const Location&, MP::Jet_2<FT, Order>* lambda) const {
+    using Jet = MP::Jet_2<FT, Order>;
+    const Jet u = Jet::u_variable(p.x()), v = Jet::v_variable(p.y());
+    lambda[0] = (1.0 - u) * (1.0 - v);
+    lambda[1] = u * (1.0 - v);
+    lambda[2] = u * v;
+    lambda[3] = (1.0 - u) * v;
+  }
+
+private:
+  Domain domain_;
+};
+
 // The affine map of the plane that takes triangle a to triangle b.
 Point_2 mapped(const Point_2& p, const std::array<Point_2, 3>& a, const std::array<Point_2, 3>& b) {
   const double whole = CGAL::area(a[0], a[1], a[2]);
@@ -295,4 +319,15 @@ TEST_CASE("Coordinates on a domain that does not fit the loop are refused") {
   using Mean_value_patch = MP::Concave_bezier_patch_3<Kernel, MP::Mean_value_coordinates_2<Kernel>>;
   CHECK_THROWS_WITH(Mean_value_patch(loop, square), Catch::Matchers::Contains("6 ribbons"));
   CHECK_THROWS_AS(Patch(loop)(Point_2(-1, -1)), MP::Outside_domain_error);
+}
+
+TEST_CASE("Any class with the members of coordinates can carry a patch") {
+  Random random(19);
+  const auto net = random_net<Kernel>(random, 3);
+  const MP::Concave_bezier_patch_3<Kernel, Bilinear> patch(
+      tensor_product_loop<Kernel>(net), Bilinear(Domain({{0, 0}, {1, 0}, {1, 1}, {0, 1}})));
+  for (int k = 0; k < 20; ++k) {
+    const double u = random.in(0, 1), v = random.in(0, 1);
+    CHECK(distance(patch({u, v}), tensor_product_point(net, u, v)) < 1e-13);
+  }
 }

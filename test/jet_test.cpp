@@ -73,3 +73,10 @@ TEST_CASE("Jets of lower order are the beginnings of those of higher order") {
   for (std::size_t i = 0; i < First::size; ++i)
     CHECK(first[i] == second[i]);
 }
+
+TEST_CASE("A jet can be multiplied by one of its own entries") {
+  Jet f = Jet::u_variable(3);
+  f *= f.value();
+  CHECK(f.value() == 9);
+  CHECK(f[1] == 3);
+}

@@ -119,3 +119,66 @@ TEST_CASE("All weights of the basis sum to 1, and their derivatives to 0") {
       }
     }
 }
+
+TEST_CASE("On and close to a side only the ribbon's own first row has weight") {
+  Random random(21);
+  for (const std::size_t n : {3, 4, 5, 6, 8})
+    for (const double dilation : {0.0, 0.5})
+      for (const auto weight :
+           {MP::Central_weight::weight_deficiency, MP::Central_weight::none,
+            MP::Central_weight::adjacent_products, MP::Central_weight::full_product}) {
+        CAPTURE(n, dilation, to_string(weight));
+        const MP::Wachspress_coordinates_2<Kernel> coordinates{Domain(convex_polygon(random, n))};
+        const Domain& domain = coordinates.domain();
+        const MP::Concave_bezier_basis basis(
+            std::vector<std::pair<std::size_t, std::size_t>>(n, {3, 2}), weight, dilation);
+        std::vector<Jet> lambda(n), weights(basis.size());
+        for (std::size_t i = 0; i < n; ++i)
+          for (const double depth : {0.0, 1e-7}) {
+            const auto along = domain.vertex(domain.next(i)) - domain.vertex(i);
+            const Point_2 p =
+                domain.point_on_side(i, 0.4) + depth * along.perpendicular(CGAL::COUNTERCLOCKWISE);
+            coordinates.evaluate<1>(
+                p, depth == 0 ? Domain::Location::on_side(i, 0.4) : Domain::Location::interior(),
+                lambda.data());
+            basis.evaluate(domain, lambda.data(), weights.data());
+            double own = 0, others = 0;
+            for (std::size_t k = 0; k < basis.size(); ++k)
+              if (k >= basis.index(i, 0, 0) && k <= basis.index(i, 3, 0))
+                own += weights[k].value();
+              else
+                others += std::abs(weights[k].value());
+            CHECK(std::abs(own - 1) < 1e-5);
+            CHECK(others < 1e-5);
+          }
+      }
+}
+
+TEST_CASE("Second derivatives of the basis on a side are the limits of those inside") {
+  Random random(22);
+  using Jet2 = MP::Jet_2<double, 2>;
+  for (const std::size_t n : {5, 6, 9})
+    for (const std::size_t layers : {2, 3}) {
+      const MP::Wachspress_coordinates_2<Kernel> coordinates{Domain(convex_polygon(random, n))};
+      const Domain& domain = coordinates.domain();
+      const MP::Concave_bezier_basis basis(
+          std::vector<std::pair<std::size_t, std::size_t>>(n, {5, layers}));
+      std::vector<Jet2> lambda(n), on_side(basis.size()), inside(basis.size());
+      for (std::size_t i = 0; i < n; ++i) {
+        const auto along = domain.vertex(domain.next(i)) - domain.vertex(i);
+        const Point_2 p = domain.point_on_side(i, 0.45);
+        coordinates.evaluate<2>(p, Domain::Location::on_side(i, 0.45), lambda.data());
+        basis.evaluate(domain, lambda.data(), on_side.data());
+        coordinates.evaluate<2>(p + 1e-7 * along.perpendicular(CGAL::COUNTERCLOCKWISE),
+                                Domain::Location::interior(), lambda.data());
+        basis.evaluate(domain, lambda.data(), inside.data());
+        double size = 0;
+        for (const Jet2& w : inside)
+          for (std::size_t e = 3; e < 6; ++e)
+            size = (std::max)(size, std::abs(w[e]));
+        for (std::size_t k = 0; k < basis.size(); ++k)
+          for (std::size_t e = 0; e < 6; ++e)
+            CHECK(on_side[k][e] == Approx(inside[k][e]).margin(1e-5 * size));
+      }
+    }
+}

@@ -2,8 +2,8 @@
  * \ingroup PkgMultisidedPatchesConcepts
  * \cgalConcept
  *
- * A surface over a `Polygonal_domain_2`, as far as meshing needs to know it: what `mesh_domain()` and
- * `tessellate()` ask of a patch. A class need not derive from anything to be a model.
+ * A surface over a `Polygonal_domain_2`, as far as meshing needs to know it: what `mesh_domain()`
+ * and `tessellate()` ask of a patch. A class need not derive from anything to be a model.
  *
  * The const members may be called from several threads at once.
  *
@@ -29,8 +29,8 @@ public:
    * the point of the surface at `uv` (model units) and its unit normal, or the zero vector where it
    * has none; the normal points to the side from which the boundary runs counterclockwise.
    *
-   * `location` says where `uv` lies in the domain. If it is on the boundary, the point must depend on
-   * nothing but `location`, because `uv` is rounded.
+   * `location` says where `uv` lies in the domain. If it is on the boundary, the point must depend
+   * on nothing but `location`, because `uv` is rounded.
    */
   std::pair<Point_3, Vector_3>
   point_and_normal(const Point_2& uv,

@@ -60,7 +60,7 @@ public:
   }
   Jet_2& operator*=(const Jet_2& b) { return *this = *this * b; }
   Jet_2& operator/=(const Jet_2& b) { return *this = *this / b; }
-  Jet_2& operator*=(const FT& b) {
+  Jet_2& operator*=(FT b) { // by value: b may be an entry of this jet
     for (FT& x : data_)
       x *= b;
     return *this;

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <istream>
 #include <ostream>
@@ -54,11 +55,12 @@ namespace internal {
 using Multisided_patches::internal::Token_reader;
 
 // The integers of the format, in order.
-constexpr std::array central_weights{Central_weight::weight_deficiency, Central_weight::none,
-                                     Central_weight::adjacent_products,
-                                     Central_weight::full_product};
-constexpr std::array domain_types{Domain_generator::projected, Domain_generator::similarity,
-                                  Domain_generator::similarity_outer, Domain_generator::curved};
+inline constexpr std::array central_weights{Central_weight::weight_deficiency, Central_weight::none,
+                                            Central_weight::adjacent_products,
+                                            Central_weight::full_product};
+inline constexpr std::array domain_types{Domain_generator::projected, Domain_generator::similarity,
+                                         Domain_generator::similarity_outer,
+                                         Domain_generator::curved};
 
 template <typename Traits>
 typename Traits::Point_3 read_point(Token_reader& in, const std::string& what) {
@@ -141,13 +143,37 @@ Concave_bezier_model_3<Traits> read_CGB(const std::string& file_name) {
   return read_CGB<Traits>(in, file_name);
 }
 
+namespace internal {
+
+// Refuses what read_CGB would refuse.
+template <typename Traits>
+void check_limits(const Concave_bezier_model_3<Traits>& model) {
+  bool good = model.loop.size() <= CGB_limits::max_sides && model.domain.clearance >= 0 &&
+              std::isfinite(model.domain.clearance) && std::isfinite(model.parameter_dilation) &&
+              model.corner_control_points.size() <= model.loop.size();
+  for (const auto& ribbon : model.loop.ribbons())
+    good = good && ribbon.degree() <= CGB_limits::max_degree &&
+           ribbon.layers() <= CGB_limits::max_layers;
+  for (const auto& corner : model.corner_control_points)
+    good = good && corner.index < model.loop.size();
+  if (!good)
+    throw Input_error(
+        "the model does not fit the .cgb format: too many sides or layers, too high a "
+        "degree, or options that are out of range");
+}
+
+} // namespace internal
+
 /*!
  * writes a patch in `.cgb` format. Numbers have as many digits as it takes to read the same doubles
  * back. The format knows only four ways to make a domain; others are written as similarity.
+ *
+ * \throws Input_error if the model exceeds `CGB_limits`, or an option is not finite or negative
  */
 template <typename Traits>
 void write_CGB(std::ostream& out, const Concave_bezier_model_3<Traits>& model) {
   using Multisided_patches::internal::to_text;
+  internal::check_limits(model);
   const auto index_of = [](const auto& values, auto value, std::size_t otherwise) {
     const auto found = std::find(values.begin(), values.end(), value);
     return std::to_string(found == values.end() ? otherwise : found - values.begin());

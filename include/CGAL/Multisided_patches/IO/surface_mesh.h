@@ -10,14 +10,15 @@
 #include <CGAL/Multisided_patches/errors.h>
 #include <CGAL/Multisided_patches/internal/cgal_compat.h>
 
+#include <CGAL/Kernel_traits.h>
 #include <CGAL/Surface_mesh/IO/OFF.h>
 #include <CGAL/Surface_mesh/IO/PLY.h>
 #include <CGAL/Surface_mesh/Surface_mesh.h>
-#include <CGAL/boost/graph/IO/OBJ.h>
 #include <CGAL/boost/graph/IO/STL.h>
 
-#include <algorithm>
 #include <cctype>
+#include <filesystem>
+#include <ostream>
 #include <string>
 
 namespace CGAL {

@@ -19,7 +19,7 @@ enum class Central_weight {
   weight_deficiency,
   //! no central control point
   none,
-  //! n Σ_i h_i² (1 - h_i)² h_{i+1}² (1 - h_{i+1})²
+  //! n Σ_i h_i² (1 - h_i)² h_{i+1}² (1 - h_{i+1})², for n = 3 the product 3 Π_i h_i² (1 - h_i)²
   adjacent_products,
   //! 2/9 (1 - 2/n)^{-2n} Π_i h_i², which is 2/9 where all coordinates are equal
   full_product

@@ -89,14 +89,13 @@ public:
     boost::container::small_vector<Side_parameter<T>, 16> parameters(n);
     compute_side_parameters(domain, lambda, FT(parameter_dilation_), parameters);
 
+    boost::container::small_vector<T, 16> at_start(n), at_end(n);
+    for (std::size_t i = 0; i < n; ++i)
+      share_corner(parameters, domain.prev(i), i, at_end[domain.prev(i)], at_start[i]);
+
     T sum;
-    for (std::size_t i = 0; i < n; ++i) {
-      const std::size_t prev = domain.prev(i), next = domain.next(i);
-      const T& h = parameters[i].h;
-      const T at_start = corner_weight(parameters[prev].h, h, prev, i);
-      const T at_end = corner_weight(parameters[next].h, h, i, next);
-      sum += side_weights(sides_[i], parameters[i], at_start, at_end, weights);
-    }
+    for (std::size_t i = 0; i < n; ++i)
+      sum += side_weights(sides_[i], parameters[i], at_start[i], at_end[i], weights);
     T& central = weights[central_index()];
     if (central_weight_ == Central_weight::weight_deficiency) {
       central = T(FT(1)) - sum;
@@ -113,17 +112,19 @@ private:
     std::size_t degree, layers, offset;
   };
 
-  // What a side keeps at the corner that it shares with `other`, between sides `first` and
-  // `second`.
-  template <typename T>
-  T corner_weight(const T& h_other, const T& h, std::size_t first, std::size_t second) const {
+  // The corner weights of side `in` at its end and of side `out` at its start, where the two meet.
+  template <typename T, typename Parameters>
+  void share_corner(const Parameters& parameters, std::size_t in, std::size_t out, T& weight_in,
+                    T& weight_out) const {
     using FT = typename T::FT;
-    const std::size_t p = (std::max)(sides_[first].layers, sides_[second].layers);
-    const T a = internal::integer_power(h_other, p), b = internal::integer_power(h, p);
-    const T sum = a + b;
-    // At the corner itself both sides have the same point, and only the sum of their weights
-    // matters.
-    return sum.value() == FT(0) ? T(FT(1) / FT(2)) : a / sum;
+    const std::size_t p = (std::max)(sides_[in].layers, sides_[out].layers);
+    const T h_in = internal::integer_power(parameters[in].h, p);
+    const T h_out = internal::integer_power(parameters[out].h, p);
+    const T sum = h_in + h_out;
+    // At the corner itself both sides have the same point, and only the sum of the weights matters.
+    const bool at_corner = sum.value() == FT(0);
+    weight_in = at_corner ? T(FT(1) / FT(2)) : h_out / sum;
+    weight_out = at_corner ? T(FT(1) / FT(2)) : h_in / sum;
   }
 
   template <typename T>
@@ -153,10 +154,13 @@ private:
     const FT sides(static_cast<int>(n));
     switch (central_weight_) {
     case Central_weight::adjacent_products: {
-      T sum;
       const auto bump = [&](std::size_t i) {
         return internal::integer_power(parameters[i].h * (T(FT(1)) - parameters[i].h), 2);
       };
+      // Of three sides two always are adjacent to the third, on which their product is not 0.
+      if (n == 3)
+        return bump(0) * bump(1) * bump(2) * sides;
+      T sum;
       for (std::size_t i = 0; i < n; ++i)
         sum += bump(i) * bump(domain.next(i));
       return sum * sides;

@@ -10,9 +10,17 @@
 #include <CGAL/Multisided_patches/coordinates/internal/harmonic/Affine_correction.h>
 #include <CGAL/Multisided_patches/coordinates/internal/harmonic/solve_laplace.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <limits>
 #include <sstream>
 #include <string>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Multisided_patches {
@@ -20,8 +28,8 @@ namespace Multisided_patches {
 /*!
  * Harmonic coordinates: λ_i is the harmonic function on the domain whose boundary values are linear
  * on every side, 1 at vertex i and 0 at all others. They are positive inside any domain, convex or
- * not, with or without holes, which makes them the coordinates of choice for concave patches
- * \cite sv-mcsps-18.
+ * not, with or without holes (as computed: up to rounding and `error_bound()`), which makes them
+ * the coordinates of choice for concave patches \cite sv-mcsps-18.
  *
  * There is no formula for them, but they can be computed to many digits. The constructor cuts the
  * domain into cells (around the corners, between sides that face each other, along the sides, and
@@ -44,9 +52,9 @@ namespace Multisided_patches {
  *
  * Setting up takes some milliseconds for 8 vertices, and grows a little faster than n^1.6.
  * Evaluating all coordinates with gradients at a point takes less than a microsecond for n = 8, and
- * no memory.
+ * allocates no memory up to n = 32.
  *
- * \cgalModels BarycentricCoordinates_2
+ * \cgalModels{BarycentricCoordinates_2}
  *
  * \tparam Traits a CGAL kernel with exact predicates and a floating-point `FT`
  */
@@ -149,7 +157,7 @@ private:
     constexpr double offset = 1e-6; // of the radius of convergence at the corner
     for (std::size_t k = 0; k < boundary.size(); ++k) {
       const Complex bisector =
-          boundary.direction(k) * std::polar(1., boundary.angle(k) * internal::harmonic::pi / 2);
+          boundary.direction(k) * std::polar(1., boundary.angle(k) * internal::pi / 2);
       vertex_probes_.push_back(boundary.vertex(k) +
                                offset * internal::harmonic::corner_radius(boundary, k) * bisector);
     }

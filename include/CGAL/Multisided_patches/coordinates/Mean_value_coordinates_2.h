@@ -10,6 +10,7 @@
 
 #include <boost/container/small_vector.hpp>
 
+#include <algorithm>
 #include <cstddef>
 
 namespace CGAL {
@@ -46,9 +47,8 @@ public:
 
   explicit Mean_value_coordinates_2(const Domain& domain) : Base(domain) {}
 
-  /*!
-   * the formula itself, used by `evaluate()`. Complexity: O(n).
-   */
+#ifndef DOXYGEN_RUNNING
+  // Called by the base class. O(n).
   template <int Order>
   void evaluate_formula(const Point_2& p, const Location& location,
                         Jet_2<FT, Order>* lambda) const {
@@ -88,6 +88,7 @@ public:
     for (std::size_t i = 0; i < n; ++i)
       lambda[i] /= sum;
   }
+#endif
 
 private:
   // The side seen at the largest positive angle: the largest tangent of half of it.

@@ -23,9 +23,11 @@ namespace Multisided_patches {
  * degree, smooth up to and including the boundary.
  *
  * With A_j(p) the area of the triangle (v_j, v_{j+1}, p) and C_i that of (v_{i-1}, v_i, v_{i+1}),
- * the weights are w_i = C_i Π_{j≠i-1,i} A_j(p), and λ_i = w_i / Σ w (Meyer, Lee, Barr and Desbrun,
- * *Generalized barycentric coordinates on irregular polygons*, Journal of Graphics Tools 7, 2002).
- * In this form nothing vanishes on the boundary, and derivatives of all orders are right there.
+ * the weights are w_i = C_i / (A_{i-1}(p) A_i(p)), and λ_i = w_i / Σ w (Meyer, Lee, Barr and
+ * Desbrun, *Generalized barycentric coordinates on irregular polygons*, Journal of Graphics Tools
+ * 7, 2002). All weights are multiplied by A_{m-1}(p) A_m(p), where m is the vertex with the
+ * smallest such product: so nothing is divided by 0 on the boundary, and derivatives of all orders
+ * hold there.
  *
  * The formulas are generic in the number type; with an exact one the coordinates are exact.
  *
@@ -57,14 +59,10 @@ public:
       corner_areas_.push_back(
           twice_area<FT>(domain.vertex(domain.prev(i)), domain.vertex(i), next.x(), next.y()));
     }
-    // The areas A_j(p) sum to that of the domain; relative to their mean the products stay in
-    // range.
-    mean_area_ = FT(2) * domain.area() / FT(static_cast<int>(domain.size()));
   }
 
-  /*!
-   * the formula itself, used by `evaluate()`. Complexity: O(n).
-   */
+#ifndef DOXYGEN_RUNNING
+  // Called by the base class. O(n).
   template <int Order>
   void evaluate_formula(const Point_2& p, const Location&, Jet_2<FT, Order>* lambda) const {
     using Jet = Jet_2<FT, Order>;
@@ -72,27 +70,34 @@ public:
     const std::size_t n = domain.size();
     const Jet u = Jet::u_variable(p.x()), v = Jet::v_variable(p.y());
 
-    boost::container::small_vector<Jet, 32> area(n), after(n + 1);
+    boost::container::small_vector<Jet, 32> area(n);
     for (std::size_t j = 0; j < n; ++j)
-      area[j] =
-          twice_area(domain.vertex(j), domain.vertex(domain.next(j)), u, v) * (FT(1) / mean_area_);
-    after[n] = Jet(FT(1));
-    for (std::size_t j = n; j-- > 1;)
-      after[j] = area[j] * after[j + 1];
+      area[j] = twice_area(domain.vertex(j), domain.vertex(domain.next(j)), u, v);
+    std::size_t m = 0;
+    const auto product = [&](std::size_t i) {
+      return FT(area[domain.prev(i)].value() * area[i].value());
+    };
+    for (std::size_t i = 1; i < n; ++i)
+      if (product(i) < product(m))
+        m = i;
 
-    // Vertex 0 misses the last side and the first, every other vertex two sides in a row.
-    lambda[0] = Jet(corner_areas_[0]);
-    for (std::size_t j = 1; j + 1 < n; ++j)
-      lambda[0] *= area[j];
-    Jet before(FT(1)), sum = lambda[0];
-    for (std::size_t i = 1; i < n; ++i) {
-      lambda[i] = before * after[i + 1] * corner_areas_[i];
-      before *= area[i - 1];
+    const std::size_t before_m = domain.prev(m);
+    Jet sum;
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t before = domain.prev(i);
+      lambda[i] = Jet(corner_areas_[i]);
+      for (const std::size_t j : {before_m, m})
+        if (j != before && j != i)
+          lambda[i] *= area[j];
+      for (const std::size_t j : {before, i})
+        if (j != before_m && j != m)
+          lambda[i] /= area[j];
       sum += lambda[i];
     }
     for (std::size_t i = 0; i < n; ++i)
       lambda[i] /= sum;
   }
+#endif
 
 private:
   template <typename T>
@@ -101,7 +106,6 @@ private:
   }
 
   std::vector<FT> corner_areas_;
-  FT mean_area_;
 };
 
 } // namespace Multisided_patches

@@ -12,6 +12,10 @@
 #include <CGAL/Multisided_patches/internal/to_text.h>
 #include <CGAL/Multisided_patches/ribbons/Corner_type.h>
 
+#include <CGAL/Bbox_2.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -158,11 +162,13 @@ public:
 
   /*!
    * tells where `p` lies: inside, outside, at a vertex or on a side, decided exactly. The parameter
-   * on a side is computed with the arithmetic of `FT`.
+   * on a side is computed with the arithmetic of `FT`. A point that is not finite is outside.
    *
    * Complexity: O(n), without division.
    */
   Location locate(const Point_2& p) const {
+    if (!CGAL::is_finite(p.x()) || !CGAL::is_finite(p.y()))
+      return Location::outside();
     bool inside = false;
     for (std::size_t i = 0; i < size(); ++i) {
       const Point_2 &a = vertex(i), &b = vertex(next(i));

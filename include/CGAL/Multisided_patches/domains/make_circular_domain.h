@@ -11,6 +11,13 @@
 #include <CGAL/Multisided_patches/errors.h>
 #include <CGAL/Multisided_patches/ribbons/Ribbon_loop_3.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <string>
+#include <vector>
+
 namespace CGAL {
 namespace Multisided_patches {
 

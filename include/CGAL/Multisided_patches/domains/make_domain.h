@@ -15,6 +15,8 @@
 #include <CGAL/Multisided_patches/internal/to_text.h>
 #include <CGAL/Multisided_patches/ribbons/Ribbon_loop_3.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <utility>
@@ -68,25 +70,26 @@ public:
 
   Generated_domain<Traits> make() {
     for (Domain_generator generator : candidates())
-      if (std::optional<Domain> domain = attempt(generator)) {
-        if (report_.clearance < report_.wanted_clearance)
-          remark(generator, "the clearance of " + to_short_text(report_.clearance) +
-                                " is less than the wanted " +
-                                to_short_text(report_.wanted_clearance));
-        report_.used = generator;
-        return {std::move(*domain), std::move(report_)};
-      }
+      if (std::optional<Domain> domain = attempt(generator))
+        return finished(generator, std::move(*domain));
     // No polygon has these corner types, so one without reflex corners has to do.
     remark(Domain_generator::regular, "taken without the loop's reflex corners");
-    report_.used = Domain_generator::regular;
     Domain domain(to_unit_box<Traits>(regular_polygon(loop_.size())));
     report_.clearance = domain.clearance();
-    return {std::move(domain), std::move(report_)};
+    return finished(Domain_generator::regular, std::move(domain));
   }
 
 private:
   // Half-way to the regular domain little is left of the similarity; then others are better.
   static constexpr int repair_steps = 16, max_repair_steps = 8;
+
+  Generated_domain<Traits> finished(Domain_generator generator, Domain domain) {
+    if (report_.clearance < report_.wanted_clearance)
+      remark(generator, "the clearance of " + to_short_text(report_.clearance) +
+                            " is less than the wanted " + to_short_text(report_.wanted_clearance));
+    report_.used = generator;
+    return {std::move(domain), std::move(report_)};
+  }
 
   std::vector<Domain_generator> candidates() {
     using G = Domain_generator;
@@ -127,13 +130,15 @@ private:
   // The first domain on the way to the regular one that is valid and has the wanted clearance, or
   // else the valid one with the largest clearance.
   std::optional<Domain> similarity(Domain_generator generator, Angle_scaling scaling) {
+    const Polygon_shape shape = similar_shape(loop_, scaling);
     std::optional<Domain> best;
     double best_clearance = -1, best_repair = 0;
+    std::string trouble = "too narrow";
     for (int step = 0; step <= max_repair_steps && best_clearance < report_.wanted_clearance;
          ++step) {
       const double repair = static_cast<double>(step) / repair_steps;
       try {
-        Domain domain = checked(make_similarity_domain(loop_, scaling, repair));
+        Domain domain = checked(repaired_domain(loop_, shape, repair));
         if (report_.clearance > best_clearance) {
           best_clearance = report_.clearance;
           best_repair = repair;
@@ -141,15 +146,15 @@ private:
         }
       } catch (const Input_error& error) {
         if (step == 0)
-          remark(generator, error.what());
+          trouble = error.what();
       }
     }
     if (!best)
-      throw Input_error("no repair made it valid");
+      throw Input_error(trouble + "; no repair made it valid");
     report_.clearance = best_clearance;
     report_.repair = best_repair;
     if (best_repair > 0)
-      remark(generator, "repaired: taken " + to_short_text(100 * best_repair) +
+      remark(generator, trouble + "; repaired by taking it " + to_short_text(100 * best_repair) +
                             " percent of the way to the regular domain");
     return best;
   }

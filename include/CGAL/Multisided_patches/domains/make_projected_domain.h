@@ -8,13 +8,14 @@
 
 #include <CGAL/Multisided_patches/domains/Polygonal_domain_2.h>
 #include <CGAL/Multisided_patches/domains/internal/polygon_shape.h>
+#include <CGAL/Multisided_patches/errors.h>
 #include <CGAL/Multisided_patches/internal/vector_utils.h>
 #include <CGAL/Multisided_patches/ribbons/Ribbon_loop_3.h>
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
 
-#include <algorithm>
+#include <cstddef>
 
 namespace CGAL {
 namespace Multisided_patches {
@@ -38,7 +39,10 @@ Polygonal_domain_2<Traits> make_projected_domain(const Ribbon_loop_3<Traits>& lo
   corners.rowwise() -= corners.colwise().mean().eval();
   // The plane is spanned by the two directions in which the corners spread most; dividing by the
   // size keeps the squares in range.
-  corners /= corners.cwiseAbs().maxCoeff();
+  const double size = corners.cwiseAbs().maxCoeff();
+  if (!(size > 0))
+    throw Input_error("all corner points coincide");
+  corners /= size;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(corners.transpose() * corners);
   const Eigen::MatrixX2d planar = corners * solver.eigenvectors().rightCols(2);
 

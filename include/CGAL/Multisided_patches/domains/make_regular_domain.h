@@ -11,6 +11,12 @@
 #include <CGAL/Multisided_patches/errors.h>
 #include <CGAL/Multisided_patches/ribbons/Ribbon_loop_3.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
 namespace CGAL {
 namespace Multisided_patches {
 
@@ -28,7 +34,7 @@ inline Polygon regular_polygon(std::size_t n) {
 // How deep a run of reflex corners dents the side of the regular polygon that it replaces, as a
 // fraction of the distance of that side from the centre. Up to 1/2 the dent stays inside the
 // triangle of the side and the centre, so that dents never meet.
-constexpr double dent_depth = 0.4;
+inline constexpr double dent_depth = 0.4;
 
 // The non-reflex corners are the vertices of a regular polygon; the reflex corners between two of
 // them lie on a parabola that dents the side between these. The result is simple and has reflex

@@ -9,7 +9,14 @@
 #include <CGAL/Multisided_patches/domains/Polygonal_domain_2.h>
 #include <CGAL/Multisided_patches/domains/internal/polygon_shape.h>
 #include <CGAL/Multisided_patches/domains/make_regular_domain.h>
+#include <CGAL/Multisided_patches/errors.h>
 #include <CGAL/Multisided_patches/ribbons/Ribbon_loop_3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <vector>
 
 namespace CGAL {
 namespace Multisided_patches {
@@ -23,7 +30,7 @@ enum class Angle_scaling {
 namespace internal {
 
 // Angles closer to 0 or 2π than this are drawn with it: a cusp cannot be a corner of a polygon.
-constexpr double smallest_angle = pi / 36;
+inline constexpr double smallest_angle = pi / 36;
 
 template <typename Traits>
 std::vector<double> scaled_angles(const Ribbon_loop_3<Traits>& loop, Angle_scaling scaling) {
@@ -69,6 +76,15 @@ inline Polygon_shape blend(const Polygon_shape& from, const Polygon_shape& to, d
   return shape;
 }
 
+// The domain of a shape, taken towards the regular domain of the loop by `repair` in [0,1].
+template <typename Traits>
+Polygonal_domain_2<Traits> repaired_domain(const Ribbon_loop_3<Traits>& loop,
+                                           const Polygon_shape& shape, double repair) {
+  const Polygon polygon =
+      repair > 0 ? draw(blend(shape, shape_of(dented_regular_polygon(loop)), repair)) : draw(shape);
+  return Polygonal_domain_2<Traits>(to_unit_box<Traits>(polygon));
+}
+
 } // namespace internal
 
 /*!
@@ -91,11 +107,7 @@ template <typename Traits>
 Polygonal_domain_2<Traits>
 make_similarity_domain(const Ribbon_loop_3<Traits>& loop,
                        Angle_scaling scaling = Angle_scaling::inner_angles, double repair = 0) {
-  internal::Polygon_shape shape = internal::similar_shape(loop, scaling);
-  if (repair > 0)
-    shape =
-        internal::blend(shape, internal::shape_of(internal::dented_regular_polygon(loop)), repair);
-  return Polygonal_domain_2<Traits>(internal::to_unit_box<Traits>(internal::draw(shape)));
+  return internal::repaired_domain(loop, internal::similar_shape(loop, scaling), repair);
 }
 
 } // namespace Multisided_patches

@@ -17,10 +17,10 @@ namespace CGAL {
 namespace Multisided_patches {
 namespace internal {
 
+inline constexpr double pi = boost::math::constants::pi<double>();
+
 // Directions, lengths and angles need square roots and trigonometry, so they are computed in double
 // whatever the kernel is.
-constexpr double pi = boost::math::constants::pi<double>();
-
 using Vec3 = std::array<double, 3>;
 
 template <typename Vector_3>

@@ -146,7 +146,7 @@ private:
  * \tparam Patch a model of `MultisidedPatch_3`
  *
  * \throws Input_error if the density asks for more than `Mesh_density::max_triangles` triangles
- * \throws Numerical_error if the boundary curves have no length
+ * \throws Numerical_error if the boundary curves have no length, or as `triangulate_domain()` does
  */
 template <typename Patch>
 Domain_mesh_2<typename Patch::Geom_traits> mesh_domain(const Patch& patch,

@@ -61,7 +61,9 @@ void fill_missing_normals(const Triangles& triangles,
  * domain units) are added to `mesh` if it has none, and filled for the new vertices.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the
- * result is the same, bit for bit \tparam Patch a model of `MultisidedPatch_3`
+ * result is the same, bit for bit.
+ *
+ * \tparam Patch a model of `MultisidedPatch_3`
  *
  * \throws Numerical_error if a point of the surface is not finite; `mesh` is then unchanged
  */

@@ -46,6 +46,20 @@ void sums_of_others(const Domain& domain, const T* lambda, Output& h) {
   }
 }
 
+// s = λ_{i+1} / (λ_i + λ_{i+1}) where both are 0: on the sides that do not touch side i this is the
+// ratio of the derivatives across the side, as both grow linearly from there; at vertices, and
+// where derivatives are not computed, nothing depends on it.
+template <typename T>
+T limit_of_s(const T& next, const T& sum) {
+  using FT = typename T::FT;
+  if constexpr (T::order >= 1) {
+    const FT square = sum[1] * sum[1] + sum[2] * sum[2];
+    if (square > FT(0))
+      return T(FT((next[1] * sum[1] + next[2] * sum[2]) / square));
+  }
+  return T(FT(1) / FT(2));
+}
+
 } // namespace internal
 
 /*!
@@ -59,8 +73,7 @@ void sums_of_others(const Domain& domain, const T* lambda, Output& h) {
  *
  * \param domain the domain of the coordinates, with n vertices
  * \param lambda n coordinates
- * \param dilation δ; 0 for the plain parameters. It has no effect on domains with 3 sides, where
- * λ_{i-1} and λ_{i+2} are the same
+ * \param dilation δ; 0 for the plain parameters. It has no effect on loops of 3 or 4 sides
  * \param parameters an indexable range of n elements of type `Side_parameter<T>` that is
  * overwritten
  *
@@ -74,8 +87,10 @@ void compute_side_parameters(const Domain& domain, const T* lambda, const typena
   for (std::size_t i = 0; i < domain.size(); ++i) {
     const std::size_t next = domain.next(i), prev = domain.prev(i), after = domain.next(next);
     const T sum = lambda[i] + lambda[next];
-    parameters[i].s = sum.value() == FT(0) ? T(FT(1) / FT(2)) : lambda[next] / sum;
-    if (dilation != FT(0) && after != prev)
+    parameters[i].s =
+        sum.value() == FT(0) ? internal::limit_of_s(lambda[next], sum) : lambda[next] / sum;
+    // On loops of 3 or 4 sides λ_{i-1} and λ_{i+2} are not 0 on all other sides, as h needs.
+    if (dilation != FT(0) && after != prev && domain.next(after) != prev)
       parameters[i].h *= T(FT(1)) - lambda[prev] * lambda[after] * dilation;
   }
 }

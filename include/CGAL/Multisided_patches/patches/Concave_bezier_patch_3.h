@@ -64,7 +64,8 @@ public:
    *
    * \param model the ribbons, central control point and options; a `Ribbon_loop_3` converts to it
    *
-   * \throws Input_error if the coordinates do not exist on the domain
+   * \throws Input_error if the options make no sense, or the coordinates do not exist on the domain
+   * \throws Numerical_error if the coordinates cannot be computed to a useful accuracy
    */
   explicit Concave_bezier_patch_3(const Model& model)
       : Concave_bezier_patch_3(model, make_domain(model.loop, model.domain)) {}

@@ -57,7 +57,8 @@ public:
     if (degree < 1 || layers < 1)
       throw Input_error("a ribbon needs a degree of at least 1 and at least 1 layer, not degree " +
                         std::to_string(degree) + " and " + std::to_string(layers) + " layers");
-    if (control_points_.size() / layers != degree + 1 || control_points_.size() % layers != 0)
+    if (control_points_.empty() || control_points_.size() / layers - 1 != degree ||
+        control_points_.size() % layers != 0)
       throw Input_error("a ribbon of degree " + std::to_string(degree) + " with " +
                         std::to_string(layers) +
                         " layers needs (degree + 1) * layers points, not " +

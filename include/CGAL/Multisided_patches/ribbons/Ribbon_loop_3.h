@@ -92,7 +92,8 @@ public:
   //! the point where ribbon `prev(i)` ends and ribbon `i` starts
   const Point_3& corner_point(std::size_t i) const { return ribbons_[i].control_point(0, 0); }
   Corner_type corner_type(std::size_t i) const { return corners_[i].type; }
-  //! the interior angle at corner `i`, between the end tangents (radians, in (0,2π))
+  //! the interior angle at corner `i`, between the end tangents (radians, in [0,2π]; at a cusp 0 or
+  //! 2π)
   double corner_angle(std::size_t i) const { return corners_[i].angle; }
   //! the unit normal at corner `i`, or the zero vector if neither ribbon has cross-derivatives
   //! there

@@ -37,15 +37,22 @@ public:
     std::error_code ignored;
     if (std::filesystem::is_directory(file_name, ignored))
       throw Error(file_name + ": cannot be written: it is a directory");
-    // Devices such as /dev/stdout are written to, not replaced.
     const auto status = std::filesystem::status(file_name, ignored);
-    replace_ = !std::filesystem::exists(status) || std::filesystem::is_regular_file(status);
-    partial_ = replace_ ? name_ + ".part" + std::to_string(std::random_device{}()) : name_;
+    const bool exists = std::filesystem::exists(status);
+    // Devices such as /dev/stdout are written to, not replaced; of a link, the target is replaced.
+    replace_ = !exists || std::filesystem::is_regular_file(status);
+    target_ = exists && replace_ ? std::filesystem::canonical(file_name, ignored).string() : name_;
+    partial_ = replace_ ? target_ + ".part" + std::to_string(std::random_device{}()) : name_;
+    // Opening a file for reading, too, leaves what is in it: it only tells whether that may change.
+    const bool may_change = !exists || !replace_ || std::fstream(target_).is_open();
     // Files are written alike whatever the global locale is.
     out_.imbue(std::locale::classic());
-    out_.open(partial_, std::ios::binary);
-    if (!out_)
+    if (may_change)
+      out_.open(partial_, std::ios::binary);
+    if (!out_.is_open())
       throw Error(file_name + ": cannot be opened for writing");
+    if (exists && replace_)
+      std::filesystem::permissions(partial_, status.permissions(), ignored);
   }
   Atomic_file(const Atomic_file&) = delete;
   Atomic_file& operator=(const Atomic_file&) = delete;
@@ -66,23 +73,24 @@ public:
       throw Error(name_ + ": cannot be written: is the disk full?");
     std::error_code error;
     if (replace_)
-      std::filesystem::rename(partial_, name_, error);
+      std::filesystem::rename(partial_, target_, error);
     if (error)
       throw Error(name_ + ": cannot be written: " + error.message());
     committed_ = true;
   }
 
 private:
-  std::string name_, partial_;
+  std::string name_, target_, partial_;
   std::ofstream out_;
   bool replace_ = true, committed_ = false;
 };
 
 // Throws Input_error if two names are of one file, which one of them would overwrite.
 inline void check_different(const std::string& a, const std::string& b) {
-  std::error_code ignored;
-  if (std::filesystem::weakly_canonical(std::filesystem::absolute(a), ignored) ==
-      std::filesystem::weakly_canonical(std::filesystem::absolute(b), ignored))
+  std::error_code error_a, error_b;
+  const auto path_a = std::filesystem::weakly_canonical(std::filesystem::absolute(a), error_a);
+  const auto path_b = std::filesystem::weakly_canonical(std::filesystem::absolute(b), error_b);
+  if (!error_a && !error_b && path_a == path_b)
     throw Input_error(a + ": cannot be written: it is the same file as " + b);
 }
 

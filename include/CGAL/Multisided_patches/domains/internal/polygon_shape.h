@@ -6,6 +6,7 @@
 #ifndef CGAL_MULTISIDED_PATCHES_DOMAINS_INTERNAL_POLYGON_SHAPE_H
 #define CGAL_MULTISIDED_PATCHES_DOMAINS_INTERNAL_POLYGON_SHAPE_H
 
+#include <CGAL/Multisided_patches/errors.h>
 #include <CGAL/Multisided_patches/internal/vector_utils.h>
 
 #include <CGAL/number_utils.h>
@@ -86,6 +87,8 @@ std::vector<typename Traits::Point_2> to_unit_box(const Polygon& polygon) {
       upper[c] = (std::max)(upper[c], p[c]);
     }
   const double size = (std::max)(upper[0] - lower[0], upper[1] - lower[1]);
+  if (!(size > 0) || !std::isfinite(size))
+    throw Input_error("the domain has no size: all its vertices coincide, or are not finite");
   using FT = typename Traits::FT;
   std::vector<typename Traits::Point_2> points;
   for (const Vec2& p : polygon)

@@ -97,12 +97,15 @@ private:
 
     std::vector<Interval> free;
     auto next = taken.begin();
+    // Up to where the row is taken; this may reach beyond a slot into the next part inside.
+    double reach = -std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
-      double left = crossings[i];
+      double left = (std::max)(crossings[i], reach);
       for (; next != taken.end() && next->first <= crossings[i + 1]; ++next) {
         if (next->first > left)
           free.emplace_back(left, next->first);
-        left = (std::max)(left, next->second);
+        reach = (std::max)(reach, next->second);
+        left = (std::max)(left, reach);
       }
       if (left < crossings[i + 1])
         free.emplace_back(left, crossings[i + 1]);

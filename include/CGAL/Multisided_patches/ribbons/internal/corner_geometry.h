@@ -16,7 +16,7 @@ namespace Multisided_patches {
 namespace internal {
 
 // Corners that turn by less than this (radians, 1 degree) count as straight.
-constexpr double straight_turn = pi / 180;
+inline constexpr double straight_turn = pi / 180;
 
 // The direction in which the boundary curve leaves its first (or arrives at its last) point:
 // towards the nearest control point that differs from it. The zero vector if all points coincide.
@@ -53,7 +53,7 @@ Vec3 ribbon_normal(const Ribbon& r, std::size_t j, const Vec3& tangent) {
 // looks like from the surface.
 struct Corner_geometry {
   Corner_type type;
-  double angle;           // interior, in (0,2π)
+  double angle;           // interior, in [0,2π]
   Vec3 normal;            // unit, or zero if the ribbons give none
   double normal_mismatch; // between the two ribbons' tangent planes, in [0,π]
 };

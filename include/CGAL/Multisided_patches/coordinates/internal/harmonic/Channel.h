@@ -31,9 +31,9 @@ struct Channel {
 };
 
 // A shorter stretch does not pay: ordinary cells cover it with fewer unknowns.
-constexpr double min_channel_length = 2.5;
+inline constexpr double min_channel_length = 2.5;
 // Opposite sides at a greater angle (radians) do not make a channel.
-constexpr double max_channel_angle = 1.2;
+inline constexpr double max_channel_angle = 1.2;
 
 // the map of sides e1, e2 seen from the point `origin` of e1, if they face each other there
 inline std::optional<Strip_map> strip_map(const Boundary& boundary, std::size_t e1, std::size_t e2,

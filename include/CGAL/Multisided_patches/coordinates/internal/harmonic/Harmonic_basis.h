@@ -20,7 +20,7 @@ namespace harmonic {
 // The number of partial derivatives, value included, that a harmonic function has up to an order:
 // u, u_x, u_y, u_xx, u_xy; the sixth is u_yy = -u_xx.
 template <int Order>
-constexpr int number_of_parts = 2 * Order + 1;
+inline constexpr int number_of_parts = 2 * Order + 1;
 
 // The harmonic functions of all vertices: cells, their coefficients, and a way to find the cell.
 class Harmonic_basis {
@@ -36,7 +36,6 @@ public:
 
   // the number of vertices, rounded up: the distance of the parts in the result of evaluate
   std::size_t stride() const { return coefficients_.front().stride(); }
-  std::size_t number_of_cells() const { return cells_.size(); }
   std::size_t locate(const Complex& z) const { return locator_(z); }
 
   // writes part k (see number_of_parts) of the function of vertex i to values[k * stride() + i],

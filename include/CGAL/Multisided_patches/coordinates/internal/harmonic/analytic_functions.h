@@ -30,7 +30,7 @@ struct Hat_term {
 };
 
 // No cell touches more than two sides, so at most four vertices have boundary values on it.
-constexpr std::size_t max_hat_terms = 4;
+inline constexpr std::size_t max_hat_terms = 4;
 
 // a f + b g
 template <int Order>

@@ -6,8 +6,10 @@
 #ifndef CGAL_MULTISIDED_PATCHES_COORDINATES_INTERNAL_HARMONIC_PLANE_GEOMETRY_H
 #define CGAL_MULTISIDED_PATCHES_COORDINATES_INTERNAL_HARMONIC_PLANE_GEOMETRY_H
 
+#include <CGAL/Multisided_patches/internal/vector_utils.h>
 #include <algorithm>
 #include <cmath>
+
 #include <complex>
 #include <optional>
 
@@ -19,8 +21,6 @@ namespace harmonic {
 // A point or a vector of the (u,v) plane, z = u + iv. Harmonic functions are real parts of analytic
 // functions of z, so the whole solver speaks complex.
 using Complex = std::complex<double>;
-
-constexpr double pi = 3.14159265358979323846;
 
 // The product without the recovery from NaN and infinity that std::complex must offer; it inlines.
 inline Complex product(const Complex& a, const Complex& b) {
@@ -42,7 +42,7 @@ inline double turn(const Complex& a, const Complex& b, const Complex& z) {
 }
 
 // Coordinates have unit size; a point that was constructed on a line is off by a few roundings.
-constexpr double on_line_tolerance = 1e-14;
+inline constexpr double on_line_tolerance = 1e-14;
 
 struct Segment {
   Complex a, b;
