@@ -6,6 +6,7 @@
 #ifndef MULTIPATCH_COMMANDS_H
 #define MULTIPATCH_COMMANDS_H
 
+#include <CGAL/Multisided_patches/domains/make_domain.h>
 #include <CGAL/Multisided_patches/patches/Concave_bezier_model_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -50,6 +51,14 @@ struct Domain_picture_options {
 
 // Reads the input file and lets the options override what it says.
 Model read_model(const Patch_options& options);
+
+double degrees(double radians);
+
+// Says on standard error where no surface can meet both ribbons of a corner.
+void warn_of_mismatches(const Model& model);
+
+// Prints the remarks of a report, a line each.
+void print_remarks(const CGAL::Multisided_patches::Domain_report& report);
 
 // The three commands. They throw CGAL::Multisided_patches::Error on bad input.
 void mesh_command(const Mesh_options& options);

@@ -15,6 +15,8 @@
 #include <CGAL/Multisided_patches/parameters/barycentric_side_parameters.h>
 
 #include <cmath>
+#include <cstdio>
+#include <filesystem>
 
 namespace multipatch {
 
@@ -80,6 +82,8 @@ void check_index(std::size_t index, std::size_t n, const std::string& option) {
 } // namespace
 
 void domain_command(const Domain_picture_options& options) {
+  if (std::filesystem::path(options.output).extension() != ".svg")
+    throw MP::Input_error(options.output + ": expected a name that ends in .svg");
   const Model model = read_model(options.patch);
   check_index(options.side, model.loop.size(), "--side");
   check_index(options.coordinate, model.loop.size(), "--coordinate");
@@ -96,14 +100,14 @@ void domain_command(const Domain_picture_options& options) {
   begin_svg(out, 3);
 
   Svg_panel shape(out, domain, 0);
-  shape.title(std::string("domain: ") + to_string(report.used) +
-              "; corners: blue convex, red reflex, grey straight");
+  shape.title(std::string(to_string(report.used)) + " domain: blue convex, red reflex corners");
   shape.outline();
   shape.corners();
   shape.side_numbers();
 
   Svg_panel parameters(out, domain, 1);
-  parameters.title("side " + std::to_string(options.side) + ": s (green) and h (orange), step 0.1");
+  parameters.title("side " + std::to_string(options.side) +
+                   ": s (green, where defined), h (orange)");
   parameters.outline();
   parameters.isolines(mesh, samples.s, step, "#2a8f4d");
   parameters.isolines(mesh, samples.h, step, "#d98218");
@@ -117,6 +121,9 @@ void domain_command(const Domain_picture_options& options) {
   coordinate.corners();
   end_svg(out);
   file.commit();
+  std::printf("%s: domain %s, clearance %.3g\n", options.output.c_str(), to_string(report.used),
+              report.clearance);
+  print_remarks(report);
 }
 
 } // namespace multipatch

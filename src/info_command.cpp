@@ -25,7 +25,7 @@ void print_ribbons(const Model& model) {
               "angle", "plane mismatch");
   for (std::size_t i = 0; i < model.loop.size(); ++i) {
     const auto& ribbon = model.loop[i];
-    std::printf("%4zu %7zu %7zu %14.6g   %-9s %10.2f %15.2g\n", i, ribbon.degree(), ribbon.layers(),
+    std::printf("%4zu %7zu %7zu %14.6g   %-9s %10.2f %15.2f\n", i, ribbon.degree(), ribbon.layers(),
                 ribbon.arc_length(), to_string(model.loop.corner_type(i)),
                 degrees(model.loop.corner_angle(i)), degrees(model.loop.corner_normal_mismatch(i)));
   }
@@ -36,8 +36,7 @@ void print_ribbons(const Model& model) {
 void print_domain(const MP::Domain_report& report) {
   std::printf("Domain: %s, clearance %.4g (wanted %.4g)\n", to_string(report.used),
               report.clearance, report.wanted_clearance);
-  for (const auto& remark : report.remarks)
-    std::printf("  %s: %s\n", to_string(remark.generator), remark.reason.c_str());
+  print_remarks(report);
 }
 
 } // namespace

@@ -155,7 +155,11 @@ int main(int argc, char* argv[]) {
       throw CLI::RequiredError::Subcommand(1);
     return success;
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? success : wrong_usage;
+    if (error.get_exit_code() == 0) // --help and --version are exceptions, too
+      return app.exit(error);
+    report_error(error.what());
+    std::cerr << "Run with --help for more information.\n";
+    return wrong_usage;
   } catch (const std::bad_alloc&) {
     return report_error("not enough memory");
   } catch (const std::exception& error) {

@@ -75,6 +75,8 @@ void mesh_command(const Mesh_options& options) {
   MP::IO::mesh_format(options.output);
   Stage_clock clock(options.quiet);
   const Model model = clock.run("reading", [&] { return read_model(options.patch); });
+  if (!options.quiet)
+    warn_of_mismatches(model);
   MP::internal::check_different(options.output, options.patch.input);
   if (!options.report.empty()) {
     MP::internal::check_different(options.report, options.patch.input);

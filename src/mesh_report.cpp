@@ -24,6 +24,13 @@ Json finite_or_null(double x) {
   return std::isfinite(x) ? Json(x) : Json(nullptr);
 }
 
+double largest_mismatch(const Model& model) {
+  double largest = 0;
+  for (std::size_t i = 0; i < model.loop.size(); ++i)
+    largest = (std::max)(largest, model.loop.corner_normal_mismatch(i));
+  return degrees(largest);
+}
+
 Json model_json(const Model& model) {
   const auto corners = [&](MP::Corner_type type) { return model.loop.number_of_corners(type); };
   return {{"sides", model.loop.size()},
@@ -31,6 +38,7 @@ Json model_json(const Model& model) {
           {"reflex_corners", corners(MP::Corner_type::reflex)},
           {"straight_corners", corners(MP::Corner_type::straight)},
           {"diagonal", model.loop.diagonal()},
+          {"largest_plane_mismatch_degrees", largest_mismatch(model)},
           {"central_weight", to_string(model.central_weight)},
           {"unused_corner_control_points", model.corner_control_points.size()}};
 }
@@ -91,8 +99,7 @@ void print_report(const Mesh_options& options, const Mesh_report& report,
   std::printf("%s: %zu triangles, %zu vertices; domain %s, clearance %.3g; %.2f s\n",
               options.output.c_str(), report.triangles, report.vertices,
               to_string(report.domain.used), report.domain.clearance, seconds);
-  for (const auto& remark : report.domain.remarks)
-    std::printf("  domain %s: %s\n", to_string(remark.generator), remark.reason.c_str());
+  print_remarks(report.domain);
 }
 
 void write_report(const Mesh_options& options, const Model& model, const Mesh_report& report,

@@ -7,6 +7,8 @@
 
 #include <CGAL/Multisided_patches/IO/CGB.h>
 
+#include <cstdio>
+
 namespace multipatch {
 
 const char* to_string(Coordinates_choice choice) {
@@ -27,6 +29,28 @@ Model read_model(const Patch_options& options) {
   model.domain.clearance = options.clearance.value_or(model.domain.clearance);
   model.central_weight = options.central_weight.value_or(model.central_weight);
   return model;
+}
+
+double degrees(double radians) {
+  return radians * 180 / CGAL_PI;
+}
+
+void warn_of_mismatches(const Model& model) {
+  constexpr double tolerable = 1; // degree
+  for (std::size_t i = 0; i < model.loop.size(); ++i) {
+    const double mismatch = degrees(model.loop.corner_normal_mismatch(i));
+    if (mismatch > tolerable)
+      std::fprintf(stderr,
+                   "multipatch: warning: the tangent planes of sides %zu and %zu differ by %.1f "
+                   "degrees at corner %zu%s\n",
+                   model.loop.prev(i), i, mismatch, i,
+                   mismatch > 90 ? "; does one of them lead out of the hole?" : "");
+  }
+}
+
+void print_remarks(const CGAL::Multisided_patches::Domain_report& report) {
+  for (const auto& remark : report.remarks)
+    std::printf("  domain %s: %s\n", to_string(remark.generator), remark.reason.c_str());
 }
 
 } // namespace multipatch

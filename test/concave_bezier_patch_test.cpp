@@ -145,6 +145,9 @@ TEST_CASE("The patch runs into its boundary curves, and has its ribbons' tangent
     const Domain& domain = patch.domain();
     for (std::size_t i = 0; i < domain.size(); ++i) {
       CHECK(patch(domain.vertex(i)) == loop.corner_point(i));
+      CHECK(patch.point_on_side(i, 0) == loop.corner_point(i));
+      CHECK(patch.point_on_side(i, 1) == loop.corner_point(domain.next(i)));
+      CHECK(patch.normal_on_side(i, 1) == loop.corner_normal(domain.next(i)));
       for (const double s : {0.1, 0.3, 0.5, 0.9}) {
         const Point_2 uv = domain.point_on_side(i, s);
         const auto location = Location::on_side(i, s);
@@ -158,6 +161,7 @@ TEST_CASE("The patch runs into its boundary curves, and has its ribbons' tangent
             CGAL::cross_product(loop[i].boundary_derivative(s), loop[i].cross_derivative(s));
         CHECK(angle(CGAL::cross_product(su, sv), ribbon) < 1e-6);
         CHECK(angle(patch.normal(uv, location), ribbon) < 1e-12);
+        CHECK(patch.normal_on_side(i, s) == patch.normal(uv, location));
       }
     }
   }

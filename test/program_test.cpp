@@ -192,8 +192,8 @@ TEST_CASE("Domain draws every example") {
   const Scratch work("domain");
   for (const Example& example : examples()) {
     INFO(example.name);
-    CHECK(
-        work.run_well("domain " + example.argument + " -o a.svg --side 2 --coordinate 1").empty());
+    CHECK_THAT(work.run_well("domain " + example.argument + " -o a.svg --side 2 --coordinate 1"),
+               StartsWith("a.svg: domain ") && Contains("clearance"));
     CHECK_THAT(contents(work / "a.svg"), StartsWith("<svg ") && EndsWith("</svg>\n") &&
                                              Contains("<polygon ") && !Contains("nan") &&
                                              !Contains("inf"));

@@ -93,6 +93,22 @@ TEST_CASE("A loop that does not close is refused with the side at which it is op
   CHECK_THROWS_WITH(Loop(ribbons), Contains("does not close") && Contains("side 2"));
 }
 
+TEST_CASE("The message about a loop that does not close guesses what is wrong") {
+  const auto good = l_ribbons();
+  auto reversed = good;
+  reversed[3] = reversed[3].reversed();
+  CHECK_THROWS_WITH(Loop(reversed),
+                    Contains("side 2 ends at (1, 1, 0)") && Contains("seems to run the other way"));
+  auto clockwise = good;
+  std::reverse(clockwise.begin(), clockwise.end());
+  CHECK_THROWS_WITH(Loop(clockwise), Contains("clockwise order"));
+  auto swapped = good;
+  auto points = good[1].control_points();
+  std::rotate(points.begin(), points.begin() + 4, points.end());
+  swapped[1] = Ribbon(3, 2, points);
+  CHECK_THROWS_WITH(Loop(swapped), Contains("the boundary is row 0"));
+}
+
 TEST_CASE("A gap below the tolerance is closed exactly") {
   auto ribbons = l_ribbons();
   ribbons[2] = with_point(ribbons[2], 3, Point_3(1, 1, 1e-10));

@@ -129,12 +129,12 @@ TEST_CASE("Two patches on the two sides of a curve get bitwise the same points o
   MP::tessellate(left, a, 0.013);
   MP::tessellate(right, b, 0.013);
   const auto shared_points = [](const Mesh& mesh) {
-    std::vector<Point_3> points;
+    std::vector<Point_3> shared;
     for (const Vertex v : mesh.vertices())
       if (mesh.is_border(v) && std::abs(mesh.point(v).x() - 1) < 1e-12)
-        points.push_back(mesh.point(v));
-    std::sort(points.begin(), points.end());
-    return points;
+        shared.push_back(mesh.point(v));
+    std::sort(shared.begin(), shared.end());
+    return shared;
   };
   CHECK(shared_points(a).size() > 70);
   CHECK(shared_points(a) == shared_points(b));

@@ -200,12 +200,24 @@ void write_CGB(std::ostream& out, const Concave_bezier_model_3<Traits>& model) {
     out << std::to_string(corner.index) << ' ' << point(corner.point);
 }
 
+//! writes the patch that fills a loop with the default options
+template <typename Traits>
+void write_CGB(std::ostream& out, const Ribbon_loop_3<Traits>& loop) {
+  write_CGB(out, Concave_bezier_model_3<Traits>(loop));
+}
+
 //! writes a patch to a `.cgb` file, whole or not at all. \throws Error if it cannot be written
 template <typename Traits>
 void write_CGB(const std::string& file_name, const Concave_bezier_model_3<Traits>& model) {
   Multisided_patches::internal::Atomic_file file(file_name);
   write_CGB(file.stream(), model);
   file.commit();
+}
+
+//! the same for the patch that fills a loop with the default options
+template <typename Traits>
+void write_CGB(const std::string& file_name, const Ribbon_loop_3<Traits>& loop) {
+  write_CGB(file_name, Concave_bezier_model_3<Traits>(loop));
 }
 
 } // namespace IO

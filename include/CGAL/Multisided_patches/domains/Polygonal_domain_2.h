@@ -12,7 +12,9 @@
 #include <CGAL/Multisided_patches/internal/to_text.h>
 #include <CGAL/Multisided_patches/ribbons/Corner_type.h>
 
+#include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Bbox_2.h>
+#include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -47,6 +49,10 @@ public:
   using Vector_2 = typename Traits::Vector_2;
   using Segment_2 = typename Traits::Segment_2;
   using Location = Domain_location<FT>;
+
+  static_assert(Traits::Has_filtered_predicates || Algebraic_structure_traits<FT>::Is_exact::value,
+                "domains need a kernel with exact predicates, such as "
+                "CGAL::Exact_predicates_inexact_constructions_kernel");
 
   /*!
    * checks and stores a polygon.
@@ -95,10 +101,21 @@ public:
   }
 
   Segment_2 side(std::size_t i) const { return Segment_2(vertex(i), vertex(next(i))); }
-  //! the point at parameter `s` in [0,1] of side `i`
+  /*!
+   * the point at parameter `s` in [0,1] of side `i`. With inexact arithmetic it is rounded, and
+   * then lies inside or outside as likely as on the side; `location_on_side()` says where it is
+   * meant to be.
+   */
   Point_2 point_on_side(std::size_t i, const FT& s) const {
     const Point_2 &a = vertex(i), &b = vertex(next(i));
     return Point_2((FT(1) - s) * a.x() + s * b.x(), (FT(1) - s) * a.y() + s * b.y());
+  }
+  //! the location of the point at parameter `s` in [0,1] of side `i`, a vertex if `s` is 0 or 1
+  Location location_on_side(std::size_t i, const FT& s) const {
+    CGAL_precondition(FT(0) <= s && s <= FT(1));
+    return s == FT(0)   ? Location::on_vertex(i)
+           : s == FT(1) ? Location::on_vertex(next(i))
+                        : Location::on_side(i, s);
   }
   //! the length of side `i` (domain units)
   double side_length(std::size_t i) const {
@@ -198,9 +215,10 @@ public:
   Location locate_inside(const Point_2& p) const {
     const Location location = locate(p);
     if (location.kind == Location::Kind::outside)
-      throw Outside_domain_error("the point (" + internal::to_short_text(CGAL::to_double(p.x())) +
-                                 ", " + internal::to_short_text(CGAL::to_double(p.y())) +
-                                 ") lies outside the domain");
+      throw Outside_domain_error(
+          "the point (" + internal::to_short_text(CGAL::to_double(p.x())) + ", " +
+          internal::to_short_text(CGAL::to_double(p.y())) +
+          ") lies outside the domain; a point on a side needs its location, as it is rounded");
     return location;
   }
 

@@ -73,7 +73,9 @@ public:
       if (std::optional<Domain> domain = attempt(generator))
         return finished(generator, std::move(*domain));
     // No polygon has these corner types, so one without reflex corners has to do.
-    remark(Domain_generator::regular, "taken without the loop's reflex corners");
+    remark(
+        Domain_generator::regular,
+        "taken without the loop's reflex corners; do the inner rows of the ribbons lead inwards?");
     Domain domain(to_unit_box<Traits>(regular_polygon(loop_.size())));
     report_.clearance = domain.clearance();
     return finished(Domain_generator::regular, std::move(domain));

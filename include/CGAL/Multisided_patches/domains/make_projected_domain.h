@@ -15,7 +15,9 @@
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
 #include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Multisided_patches {
@@ -29,29 +31,36 @@ namespace Multisided_patches {
  */
 template <typename Traits>
 Polygonal_domain_2<Traits> make_projected_domain(const Ribbon_loop_3<Traits>& loop) {
-  const auto n = static_cast<Eigen::Index>(loop.size());
-  Eigen::MatrixX3d corners(n, 3);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const internal::Vec3 p =
-        internal::to_vec3(loop.corner_point(static_cast<std::size_t>(i)) - loop.corner_point(0));
-    corners.row(i) = Eigen::RowVector3d(p[0], p[1], p[2]);
+  std::vector<Eigen::Vector3d> corners;
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const internal::Vec3 p = internal::to_vec3(loop.corner_point(i) - loop.corner_point(0));
+    corners.emplace_back(p[0], p[1], p[2]);
+    mean += corners.back() / static_cast<double>(loop.size());
   }
-  corners.rowwise() -= corners.colwise().mean().eval();
-  // The plane is spanned by the two directions in which the corners spread most; dividing by the
-  // size keeps the squares in range.
-  const double size = corners.cwiseAbs().maxCoeff();
+  double size = 0;
+  for (Eigen::Vector3d& p : corners) {
+    p -= mean;
+    size = (std::max)(size, p.cwiseAbs().maxCoeff());
+  }
   if (!(size > 0))
     throw Input_error("all corner points coincide");
-  corners /= size;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(corners.transpose() * corners);
-  const Eigen::MatrixX2d planar = corners * solver.eigenvectors().rightCols(2);
+  // The plane is spanned by the two directions in which the corners spread most; dividing by the
+  // size keeps the squares in range.
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  for (Eigen::Vector3d& p : corners) {
+    p /= size;
+    covariance += p * p.transpose();
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
+  const Eigen::Vector3d u = solver.eigenvectors().col(2), v = solver.eigenvectors().col(1);
 
   internal::Polygon polygon;
   double twice_area = 0;
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const Eigen::Index j = i + 1 == n ? 0 : i + 1;
-    polygon.push_back({planar(i, 0), planar(i, 1)});
-    twice_area += planar(i, 0) * planar(j, 1) - planar(i, 1) * planar(j, 0);
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    polygon.push_back({corners[i].dot(u), corners[i].dot(v)});
+    const Eigen::Vector3d& next = corners[loop.next(i)];
+    twice_area += polygon[i][0] * next.dot(v) - polygon[i][1] * next.dot(u);
   }
   if (twice_area < 0)
     for (internal::Vec2& p : polygon)

@@ -8,8 +8,6 @@
 
 #include <CGAL/number_utils.h>
 
-#include <boost/math/constants/constants.hpp>
-
 #include <array>
 #include <cmath>
 
@@ -17,7 +15,7 @@ namespace CGAL {
 namespace Multisided_patches {
 namespace internal {
 
-inline constexpr double pi = boost::math::constants::pi<double>();
+inline constexpr double pi = CGAL_PI;
 
 // Directions, lengths and angles need square roots and trigonometry, so they are computed in double
 // whatever the kernel is.

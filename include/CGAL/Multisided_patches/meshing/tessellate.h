@@ -91,8 +91,10 @@ void tessellate(const Patch& patch, const Domain_mesh_2<typename Patch::Geom_tra
   internal::fill_missing_normals(domain_mesh.triangles, vertices);
 
   const std::size_t faces = domain_mesh.triangles.size();
-  mesh.reserve(mesh.number_of_vertices() + n, mesh.number_of_edges() + n + faces,
-               mesh.number_of_faces() + faces);
+  using Size = typename Mesh::size_type;
+  mesh.reserve(static_cast<Size>(mesh.number_of_vertices() + n),
+               static_cast<Size>(mesh.number_of_edges() + n + faces),
+               static_cast<Size>(mesh.number_of_faces() + faces));
   auto normal = mesh.template add_property_map<Vertex, Vector_3>("v:normal", NULL_VECTOR).first;
   auto u = mesh.template add_property_map<Vertex, double>("v:u", 0).first;
   auto v = mesh.template add_property_map<Vertex, double>("v:v", 0).first;

@@ -109,8 +109,21 @@ public:
   }
 
   /*!
-   * the point and its partial derivatives up to `Order` (0, 1 or 2) with respect to u and v. On the
-   * boundary they are limits from the inside.
+   * the point at parameter `s` in [0,1] of boundary curve `i` (model units). In the domain this is
+   * `domain().point_on_side(i, s)`, which as a rounded point may lie outside.
+   */
+  Point_3 point_on_side(std::size_t i, const FT& s) const { return loop_[i].boundary_point(s); }
+  //! the unit normal there
+  Vector_3 normal_on_side(std::size_t i, const FT& s) const {
+    return normal(domain().point_on_side(i, s), domain().location_on_side(i, s));
+  }
+
+  /*!
+   * the point and its partial derivatives up to `Order` (0, 1 or 2) with respect to u and v: entry
+   * `[c][k]` of the result is coordinate c (x, y, z), for k = 0 its value, and then its derivatives
+   * by u, v, uu, uv and vv. On the sides they are limits from the inside. At vertices they may not
+   * exist; then the coordinates decide what is returned, which for harmonic coordinates and a
+   * reflex or straight corner is the (large) derivative at a point close by.
    *
    * \pre `uv` lies at `location`, and that is not outside the domain
    */

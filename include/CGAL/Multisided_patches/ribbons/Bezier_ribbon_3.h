@@ -8,12 +8,12 @@
 
 #include <CGAL/Multisided_patches/errors.h>
 #include <CGAL/Multisided_patches/internal/bernstein.h>
+#include <CGAL/Multisided_patches/internal/gauss_legendre.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
 
 #include <boost/container/small_vector.hpp>
-#include <boost/math/quadrature/gauss.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -61,7 +61,7 @@ public:
         control_points_.size() % layers != 0)
       throw Input_error("a ribbon of degree " + std::to_string(degree) + " with " +
                         std::to_string(layers) +
-                        " layers needs (degree + 1) * layers points, not " +
+                        " layers needs (degree + 1) * layers control points, not " +
                         std::to_string(control_points_.size()));
     for (std::size_t i = 0; i < control_points_.size(); ++i) {
       const Point_3& p = control_points_[i];
@@ -168,8 +168,11 @@ private:
   }
 
   double gauss(double a, double b) const {
-    return boost::math::quadrature::gauss<double, 15>::integrate(
-        [this](double s) { return length(boundary_derivative(FT(s))); }, a, b);
+    static const std::vector<internal::Quadrature_node> rule = internal::gauss_legendre(15);
+    double sum = 0;
+    for (const internal::Quadrature_node& node : rule)
+      sum += node.weight * length(boundary_derivative(FT(a + node.t * (b - a))));
+    return sum * (b - a);
   }
 
   double arc_length(double a, double b, double whole, double tolerance, int depth) const {

@@ -131,12 +131,32 @@ private:
       return;
     const double gap = internal::norm(internal::to_vec3(start - end));
     if (!(gap <= tolerance))
-      throw Input_error("the loop does not close: side " + std::to_string(i) + " ends " +
-                        internal::to_short_text(gap) + " away from the start of side " +
-                        std::to_string(next(i)));
+      throw Input_error("the loop does not close: side " + std::to_string(i) + " ends at " +
+                        text(end) + ", " + internal::to_short_text(gap) +
+                        " away from the start of side " + std::to_string(next(i)) + " at " +
+                        text(start) + hint(r, ribbons_[next(i)]));
     std::vector<Point_3> points = r.control_points();
     points[r.degree()] = start;
     ribbons_[i] = Ribbon(r.degree(), r.layers(), std::move(points));
+  }
+
+  static std::string text(const Point_3& p) {
+    return '(' + internal::to_short_text(CGAL::to_double(p.x())) + ", " +
+           internal::to_short_text(CGAL::to_double(p.y())) + ", " +
+           internal::to_short_text(CGAL::to_double(p.z())) + ')';
+  }
+
+  // What is likely to be wrong with two sides that do not follow each other.
+  static std::string hint(const Ribbon& side, const Ribbon& next) {
+    const Point_3 &start = side.control_point(0, 0), &end = side.control_point(side.degree(), 0);
+    const Point_3& next_end = next.control_point(next.degree(), 0);
+    if (end == next_end)
+      return "; the second of them seems to run the other way";
+    if (start == next_end)
+      return "; the sides seem to come in clockwise order";
+    if (end == next.control_point(0, next.layers() - 1) && next.layers() > 1)
+      return "; the second of them seems to have its rows in reverse, the boundary is row 0";
+    return "; control points come row by row, the boundary first";
   }
 
   // Newell's area vector of the closed control polygon of the boundary: the side on which the

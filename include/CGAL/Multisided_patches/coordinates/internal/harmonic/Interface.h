@@ -8,7 +8,7 @@
 
 #include <CGAL/Multisided_patches/coordinates/internal/harmonic/Matrix.h>
 #include <CGAL/Multisided_patches/coordinates/internal/harmonic/cover_mesh.h>
-#include <CGAL/Multisided_patches/coordinates/internal/harmonic/gauss_legendre.h>
+#include <CGAL/Multisided_patches/internal/gauss_legendre.h>
 
 namespace CGAL {
 namespace Multisided_patches {

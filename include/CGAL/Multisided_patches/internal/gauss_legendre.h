@@ -3,18 +3,18 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_MULTISIDED_PATCHES_COORDINATES_INTERNAL_HARMONIC_GAUSS_LEGENDRE_H
-#define CGAL_MULTISIDED_PATCHES_COORDINATES_INTERNAL_HARMONIC_GAUSS_LEGENDRE_H
+#ifndef CGAL_MULTISIDED_PATCHES_INTERNAL_GAUSS_LEGENDRE_H
+#define CGAL_MULTISIDED_PATCHES_INTERNAL_GAUSS_LEGENDRE_H
 
-#include <CGAL/Multisided_patches/coordinates/internal/harmonic/plane_geometry.h>
+#include <CGAL/Multisided_patches/internal/vector_utils.h>
 
+#include <cmath>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Multisided_patches {
 namespace internal {
-namespace harmonic {
 
 struct Quadrature_node {
   double t, weight; // on [0,1]
@@ -41,9 +41,8 @@ inline std::vector<Quadrature_node> gauss_legendre(int m) {
   return nodes;
 }
 
-} // namespace harmonic
 } // namespace internal
 } // namespace Multisided_patches
 } // namespace CGAL
 
-#endif // CGAL_MULTISIDED_PATCHES_COORDINATES_INTERNAL_HARMONIC_GAUSS_LEGENDRE_H
+#endif // CGAL_MULTISIDED_PATCHES_INTERNAL_GAUSS_LEGENDRE_H
