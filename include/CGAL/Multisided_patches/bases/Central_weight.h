@@ -12,7 +12,8 @@ namespace Multisided_patches {
 /*!
  * The weight of the central control point of a patch with n sides; h_i is the side parameter that
  * is 0 on side i. Every variant but `weight_deficiency` is followed by a division by the sum of all
- * weights. All of them vanish on the boundary together with their first derivatives.
+ * weights. The products vanish on the boundary together with their first derivatives, and so does
+ * the deficiency if all ribbons have at least 2 layers and degree 3.
  */
 enum class Central_weight {
   //! what the weights of the ribbons lack to 1; it can be negative where they exceed 1

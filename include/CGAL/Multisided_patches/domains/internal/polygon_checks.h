@@ -59,10 +59,9 @@ std::string crossing_sides(const Loops<Traits>& loops, std::size_t loop) {
     for (std::size_t j = i + 1; j < last; ++j) {
       const auto a = loops.side(loop, i), b = loops.side(loop, j);
       const bool adjacent = a.target() == b.source() || b.target() == a.source();
-      const bool touch = adjacent ? (a.has_on(b.target()) && a.has_on(b.source())) ||
-                                        (b.has_on(a.source()) && b.has_on(a.target())) ||
-                                        (a.target() == b.source() && a.has_on(b.target())) ||
-                                        (b.target() == a.source() && b.has_on(a.target()))
+      // Adjacent sides meet in their common vertex, and in more only if one contains the other.
+      const bool touch = adjacent ? (a.has_on(b.source()) && a.has_on(b.target())) ||
+                                        (b.has_on(a.source()) && b.has_on(a.target()))
                                   : do_intersect(a, b);
       if (touch)
         return "sides " + std::to_string(i) + " and " + std::to_string(j) +
