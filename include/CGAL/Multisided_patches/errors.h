@@ -39,6 +39,19 @@ public:
   using Error::Error;
 };
 
+//! An accuracy that was asked for and could not be reached.
+class Accuracy_error : public Numerical_error {
+public:
+  Accuracy_error(const std::string& message, double reached)
+      : Numerical_error(message), reached_(reached) {}
+
+  //! the error of the best result; infinity, if there was none
+  double reached() const { return reached_; }
+
+private:
+  double reached_;
+};
+
 } // namespace Multisided_patches
 } // namespace CGAL
 

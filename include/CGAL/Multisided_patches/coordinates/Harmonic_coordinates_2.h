@@ -8,7 +8,9 @@
 
 #include <CGAL/Multisided_patches/coordinates/internal/Coordinates_base.h>
 #include <CGAL/Multisided_patches/coordinates/internal/harmonic/Affine_correction.h>
+#include <CGAL/Multisided_patches/coordinates/internal/harmonic/clamp_negative_values.h>
 #include <CGAL/Multisided_patches/coordinates/internal/harmonic/solve_laplace.h>
+#include <CGAL/Multisided_patches/internal/for_each_index.h>
 
 #include <algorithm>
 #include <array>
@@ -16,6 +18,7 @@
 #include <complex>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <sstream>
 #include <string>
 #include <type_traits>
@@ -40,8 +43,8 @@ namespace Multisided_patches {
  * values are exact by construction, and so are the derivatives of the approximation, which is
  * analytic in every cell.
  *
- * A small linear correction makes Σ λ_i = 1 and Σ λ_i v_i = (u,v) hold up to rounding. Values may
- * be negative by about `error_bound()` where they are almost 0.
+ * A small linear correction makes Σ λ_i = 1 and Σ λ_i v_i = (u,v) hold up to rounding, and values
+ * that would be below zero are zero; derivatives are those of the approximation before.
  *
  * Derivatives: inside and on the sides they are finite, and on the sides the limits from inside. At
  * a convex vertex, the gradient is its limit, that of the affine function which interpolates the
@@ -50,9 +53,10 @@ namespace Multisided_patches {
  * bisector of the corner, 10^-6 times the distance to the nearest other vertex or visible side
  * away.
  *
- * Setting up takes some milliseconds for 8 vertices, and grows a little faster than n^1.6.
- * Evaluating all coordinates with gradients at a point takes less than a microsecond for n = 8, and
- * allocates no memory up to n = 32.
+ * Setting up takes some milliseconds for 8 vertices, and grows with about n^1.7. Evaluating all
+ * coordinates with gradients at a point takes less than a microsecond for n = 8, and allocates no
+ * memory up to n = 32; many points are faster together, with `evaluate_batch()`. All queries may be
+ * made from several threads.
  *
  * \cgalModels{BarycentricCoordinates_2}
  *
@@ -74,33 +78,54 @@ public:
                 "harmonic coordinates are transcendental: exact number types do not apply");
 
   /*!
+   * one matrix each for the values and, depending on `Order`, the partial derivatives d/du, d/dv,
+   * d²/du², d²/dudv and d²/dv², as in `Jet_2`: row `i` belongs to vertex `i`, column `j` to point
+   * `j`. With the vertices, or whatever sits there, in the columns of a matrix X, X times the first
+   * are the interpolated points.
+   */
+  template <int Order>
+  using Batch =
+      std::array<Eigen::Matrix<FT, Eigen::Dynamic, Eigen::Dynamic>, Jet_2<FT, Order>::size>;
+
+  /*!
    * solves Laplace's equation for all coordinates of a domain.
    *
    * \param domain any valid domain
    * \param target_error the error that values may have, absolute, as coordinates have no unit.
-   * Errors of about 1e-12 are the best that can be had; gradients and Hessians, in units of the
-   * size of the domain, lose about 2 and 3 to 4 digits.
+   * Errors of about 1e-12 are the best that can be had on benign domains; gradients and Hessians,
+   * in units of the size of the domain, lose about 2 and 3 to 4 digits.
+   * \param acceptable_error what is accepted where the target is out of reach, as it may be on
+   * domains with gaps or sides below 1e-6 of their size; the target itself, if 0
+   * \param concurrency `Parallel_tag` or `Sequential_tag`; the result does not depend on it
    *
-   * If the target is out of reach, the best approximation found is accepted: see `error_bound()`.
-   *
-   * \throws Numerical_error if that is not even good to 1e-3; the message says what was reached
+   * \throws Accuracy_error if the target, and the acceptable error, could not be reached; it says
+   * what was
    *
    * \pre `target_error > 0`
+   *
+   * Complexity: about O(n^1.7) time, and O(n²) memory, 2 kB · n² in the worst case; less where
+   * distant vertices do not see each other.
    */
-  explicit Harmonic_coordinates_2(const Domain& domain, double target_error = 1e-8) : Base(domain) {
+  template <typename ConcurrencyTag = Parallel_if_available_tag>
+  explicit Harmonic_coordinates_2(const Domain& domain, double target_error = 1e-8,
+                                  double acceptable_error = 0, ConcurrencyTag concurrency = {})
+      : Base(domain) {
     CGAL_precondition(target_error > 0);
+    static_cast<void>(concurrency);
     set_frame();
-    std::vector<Complex> exact, points;
+    std::vector<Complex> exact;
     std::vector<std::size_t> next;
     for (std::size_t i = 0; i < domain.size(); ++i) {
       exact.push_back(scale_ * complex(domain.vertex(i)));
-      points.push_back(normalized(domain.vertex(i)));
+      vertices_.push_back(normalized(domain.vertex(i)));
       next.push_back(domain.next(i));
     }
-    const internal::harmonic::Boundary boundary(points, next);
+    const internal::harmonic::Boundary boundary(vertices_, next);
     set_vertex_probes(boundary);
-    correction_ = internal::harmonic::Affine_correction(points);
-    solve(boundary, internal::harmonic::triangulate_boundary(exact, next, points), target_error);
+    correction_ = internal::harmonic::Affine_correction(vertices_);
+    solve<ConcurrencyTag>(boundary,
+                          internal::harmonic::triangulate_boundary(exact, next, vertices_),
+                          target_error, (std::max)(target_error, acceptable_error));
   }
 
   /*!
@@ -110,25 +135,79 @@ public:
    */
   double error_bound() const { return error_bound_; }
 
+  /*!
+   * evaluates all coordinates, and their derivatives up to `Order`, at many points: in groups by
+   * cell, with matrix products, and in parallel with `Parallel_tag`. The results are those of
+   * `evaluate()` up to rounding, and do not depend on the concurrency.
+   *
+   * \param points in or on the domain
+   *
+   * \throws Outside_domain_error if a point lies outside the domain
+   *
+   * Complexity: O(n) for each point.
+   */
+  template <int Order = 0, typename ConcurrencyTag = Parallel_if_available_tag>
+  Batch<Order> evaluate_batch(const std::vector<Point_2>& points) const {
+    std::vector<Location> locations(points.size());
+    internal::for_each_index<ConcurrencyTag>(points.size(), [&](std::size_t j) {
+      locations[j] = this->domain().locate_inside(points[j]);
+    });
+    return evaluate_batch<Order, ConcurrencyTag>(points, locations);
+  }
+
+  //! the same for points whose locations are known. \pre none of these is outside
+  template <int Order = 0, typename ConcurrencyTag = Parallel_if_available_tag>
+  Batch<Order> evaluate_batch(const std::vector<Point_2>& points,
+                              const std::vector<Location>& locations) const {
+    CGAL_precondition(points.size() == locations.size());
+    Batch<Order> result;
+    for (auto& matrix : result)
+      matrix.resize(static_cast<Eigen::Index>(this->domain().size()),
+                    static_cast<Eigen::Index>(points.size()));
+    const Groups groups = group_by_cell<Order, ConcurrencyTag>(points, locations);
+    internal::for_each_index<ConcurrencyTag>(
+        groups.begins.size() - 1,
+        [&](std::size_t g) { evaluate_group(groups, g, points, locations, result); }, 8);
+    return result;
+  }
+
+  /*!
+   * evaluates the same approximation in a wider floating-point type, at a point inside the domain:
+   * the yardstick for the rounding of values and derivatives. Values below zero are left as they
+   * are.
+   *
+   * \tparam Real `long double`, for instance
+   * \param u,v the point
+   * \param lambda room for the coordinates of all vertices, with derivatives up to `Order`
+   */
+  template <int Order, typename Real>
+  void evaluate_extended(const Real& u, const Real& v, Jet_2<Real, Order>* lambda) const {
+    const std::complex<Real> z =
+        Real(scale_) * (std::complex<Real>(u, v) - std::complex<Real>(centre_));
+    const Complex rounded(static_cast<double>(z.real()), static_cast<double>(z.imag()));
+    std::vector<Real> parts(basis_.stride() * number_of_parts<Order>);
+    basis_.template evaluate<Order>(basis_.locate(rounded), z, parts.data());
+    correct<Order>(z, parts.data());
+    for (std::size_t i = 0; i < this->domain().size(); ++i)
+      for (std::size_t k = 0; k < Jet_2<Real, Order>::size; ++k)
+        lambda[i][k] = entry(parts.data() + i, k);
+  }
+
 #ifndef DOXYGEN_RUNNING
   // Called by the base class.
   template <int Order>
   void evaluate_formula(const Point_2& p, const Location& location,
                         Jet_2<FT, Order>* lambda) const {
-    namespace harmonic = internal::harmonic;
-    constexpr int parts = harmonic::number_of_parts<Order>;
     const bool at_vertex = location.kind == Location::Kind::vertex;
     const Complex z = at_vertex ? vertex_probes_[location.index] : normalized(p);
-    const std::size_t stride = basis_.stride();
-    boost::container::small_vector<double, 32 * parts> values(stride * parts);
-    basis_.template evaluate<Order>(basis_.locate(z), z, values.data());
-    // 1, x, y and their derivatives by x, by y, and twice
-    const std::array<double, 3> affine[5] = {
-        {1, z.real(), z.imag()}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}, {0, 0, 0}};
-    for (int k = 0; k < parts; ++k)
-      correction_(affine[k], values.data() + k * stride);
+    boost::container::small_vector<double, 32 * number_of_parts<Order>> parts(
+        basis_.stride() * number_of_parts<Order>);
+    basis_.template evaluate<Order>(basis_.locate(z), z, parts.data());
+    correct<Order>(z, parts.data());
+    internal::harmonic::clamp_negative_values(vertices_, z, parts.data());
     for (std::size_t i = 0; i < this->domain().size(); ++i)
-      set_jet(values.data() + i, stride, lambda[i]);
+      for (std::size_t k = 0; k < Jet_2<FT, Order>::size; ++k)
+        lambda[i][k] = static_cast<FT>(entry(parts.data() + i, k));
     if constexpr (Order >= 1)
       if (at_vertex && this->domain().corner_type(location.index) == Corner_type::convex)
         set_gradients_at_convex_vertex(location.index, lambda);
@@ -136,6 +215,16 @@ public:
 #endif
 
 private:
+  template <int Order>
+  static constexpr int number_of_parts = internal::harmonic::number_of_parts<Order>;
+
+  // Points, by their indices, in groups that lie in one cell each.
+  struct Groups {
+    std::vector<std::size_t> points;
+    std::vector<std::size_t> begins; // in `points`, and one past the last group
+    std::vector<std::size_t> cells;  // of all points, not in this order
+  };
+
   // The polygon is moved to the origin and scaled to unit size; by a power of two, which is exact.
   void set_frame() {
     const Bbox_2 box = this->domain().bbox();
@@ -163,52 +252,151 @@ private:
     }
   }
 
-  // tau from the target: fitted to the errors that were measured on many shapes. The error is about
-  // tau^1.7 at first.
+  // tau from the target: fitted to the errors that were measured on many shapes, and a little less
+  // for many vertices, as the largest of more errors counts.
+  static double initial_tau(double target_error, std::size_t n) {
+    const double tau = (std::min)(24 * std::pow(target_error, 0.83), //
+                                  3.7 * std::pow(target_error, 0.73));
+    return tau * (std::min)(1., std::sqrt(40. / static_cast<double>(n)));
+  }
+
+  template <typename ConcurrencyTag>
   void solve(const internal::harmonic::Boundary& boundary,
-             const internal::harmonic::Bisection_mesh& mesh, double target_error) {
-    constexpr int max_rounds = 3;
-    constexpr double tau_min = 1e-13, tau_max = 1e-2, acceptable = 1e-3;
-    double tau = 10 * std::pow(target_error, 0.83);
+             const internal::harmonic::Bisection_mesh& mesh, double target_error,
+             double acceptable_error) {
+    constexpr int max_rounds = 5;
+    constexpr double tau_min = 1e-13, tau_max = 1e-2;
+    double tau = initial_tau(target_error, boundary.size());
     std::string failure;
     for (int round = 0; round < max_rounds && error_bound_ > target_error; ++round) {
       tau = (std::min)(tau_max, (std::max)(tau_min, tau));
+      double error = std::numeric_limits<double>::infinity();
       try {
-        internal::harmonic::Solution s = internal::harmonic::solve_laplace(boundary, mesh, tau);
-        if (s.error < error_bound_) {
-          error_bound_ = s.error;
+        internal::harmonic::Solution s =
+            internal::harmonic::solve_laplace<ConcurrencyTag>(boundary, mesh, tau, target_error);
+        error = s.error;
+        if (error < error_bound_) {
+          error_bound_ = error;
           basis_ = std::move(s.basis);
         }
-      } catch (const Numerical_error& error) { // what an earlier round found may do
-        failure = std::string("; ") + error.what();
+      } catch (const Numerical_error& e) {
+        failure = std::string("; ") + e.what();
       }
-      if (tau == tau_min)
-        break;
-      tau *= (std::min)(0.1, (std::max)(1e-2, std::pow(target_error / error_bound_, 1 / 1.7)));
+      if (std::isfinite(error)) {
+        if (tau == tau_min)
+          break;
+        // The error is about tau^1.7.
+        tau *= (std::min)(0.5, (std::max)(1e-2, 0.6 * std::pow(target_error / error, 1 / 1.7)));
+      } else { // A coarser subdivision may still do.
+        if (tau == tau_max)
+          break;
+        tau *= 30;
+      }
     }
-    if (!(error_bound_ <= acceptable)) {
-      std::ostringstream message;
-      message << "harmonic coordinates: the error of the values is not below " << error_bound_
-              << " on this domain of " << boundary.size() << " sides; " << target_error
-              << " was asked for" << failure;
-      throw Numerical_error(message.str());
+    if (!(error_bound_ <= acceptable_error))
+      throw_accuracy_error(target_error, failure);
+  }
+
+  [[noreturn]] void throw_accuracy_error(double target_error, const std::string& failure) const {
+    std::ostringstream message;
+    message << "harmonic coordinates on a domain of " << this->domain().size()
+            << " sides: errors below " << target_error << " were asked for, and " << error_bound_
+            << " was reached" << failure;
+    throw Accuracy_error(message.str(), error_bound_);
+  }
+
+  // makes all parts fit to 1, u and v
+  template <int Order, typename Real>
+  void correct(const std::complex<Real>& z, Real* parts) const {
+    // 1, x, y and their derivatives by x, by y, and twice
+    const std::array<Real, 3> affine[5] = {
+        {1, z.real(), z.imag()}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}, {0, 0, 0}};
+    for (int k = 0; k < number_of_parts<Order>; ++k)
+      correction_(affine[k], parts + static_cast<std::size_t>(k) * basis_.stride());
+  }
+
+  // entry k of the jet of a coordinate in the domain, from its parts in the normalized frame
+  template <typename Real>
+  Real entry(const Real* parts, std::size_t k) const {
+    constexpr std::size_t part[6] = {0, 1, 2, 3, 4, 3}; // the last is minus the fourth
+    const Real factor = k == 0 ? Real(1) : k <= 2 ? Real(scale_) : Real(scale_) * Real(scale_);
+    return (k == 5 ? -factor : factor) * parts[part[k] * basis_.stride()];
+  }
+
+  // Points whose values are those of the boundary, and vertices, come in groups of one.
+  template <int Order>
+  static bool needs_no_cell(const Location& location) {
+    return location.kind == Location::Kind::vertex || (Order == 0 && location.is_on_boundary());
+  }
+
+  template <int Order, typename ConcurrencyTag>
+  Groups group_by_cell(const std::vector<Point_2>& points,
+                       const std::vector<Location>& locations) const {
+    constexpr std::size_t max_group = 32; // their rows of basis functions stay in the cache
+    Groups groups;
+    groups.cells.resize(points.size());
+    internal::for_each_index<ConcurrencyTag>(points.size(), [&](std::size_t j) {
+      CGAL_precondition(locations[j].kind != Location::Kind::outside);
+      groups.cells[j] =
+          needs_no_cell<Order>(locations[j]) ? 0 : 1 + basis_.locate(normalized(points[j]));
+    });
+    std::vector<std::size_t> begins(basis_.number_of_cells() + 2, 0); // a counting sort
+    for (const std::size_t c : groups.cells)
+      ++begins[c + 1];
+    std::partial_sum(begins.begin(), begins.end(), begins.begin());
+    groups.begins = {0};
+    for (std::size_t c = 0; c + 1 < begins.size(); ++c)
+      for (std::size_t k = begins[c]; k < begins[c + 1]; k += max_group)
+        groups.begins.push_back((std::min)(k + max_group, begins[c + 1]));
+    groups.points.resize(points.size());
+    for (std::size_t j = 0; j < points.size(); ++j)
+      groups.points[begins[groups.cells[j]]++] = j;
+    return groups;
+  }
+
+  template <std::size_t Size>
+  void evaluate_group(
+      const Groups& groups, std::size_t g, const std::vector<Point_2>& points,
+      const std::vector<Location>& locations,
+      std::array<Eigen::Matrix<FT, Eigen::Dynamic, Eigen::Dynamic>, Size>& result) const {
+    constexpr int order = Size == 1 ? 0 : Size == 3 ? 1 : 2;
+    const std::size_t begin = groups.begins[g], end = groups.begins[g + 1];
+    const std::size_t n = this->domain().size(), cell = groups.cells[groups.points[begin]];
+    if (cell == 0) {
+      for (std::size_t k = begin; k < end; ++k)
+        evaluate_alone<order>(groups.points[k], points, locations, result);
+      return;
+    }
+    std::vector<Complex> z;
+    for (std::size_t k = begin; k < end; ++k)
+      z.push_back(normalized(points[groups.points[k]]));
+    std::vector<double> values;
+    basis_.template evaluate<order>(cell - 1, z, values);
+    for (std::size_t k = begin; k < end; ++k) {
+      double* parts = values.data() + (k - begin) * number_of_parts<order> * basis_.stride();
+      correct<order>(z[k - begin], parts);
+      internal::harmonic::clamp_negative_values(vertices_, z[k - begin], parts);
+      const std::size_t j = groups.points[k];
+      for (std::size_t q = 0; q < Size; ++q) {
+        FT* column = result[q].data() + j * n;
+        for (std::size_t i = 0; i < n; ++i)
+          column[i] = static_cast<FT>(entry(parts + i, q));
+      }
+      if (locations[j].is_on_boundary())
+        this->set_boundary_values(
+            locations[j], [&](std::size_t i) -> FT& { return result[0].data()[j * n + i]; });
     }
   }
 
-  // from the parts of one coordinate, in the normalized frame
   template <int Order>
-  void set_jet(const double* parts, std::size_t stride, Jet_2<FT, Order>& jet) const {
-    jet[0] = static_cast<FT>(parts[0]);
-    if constexpr (Order >= 1) {
-      jet[1] = static_cast<FT>(scale_ * parts[stride]);
-      jet[2] = static_cast<FT>(scale_ * parts[2 * stride]);
-    }
-    if constexpr (Order >= 2) {
-      const double uu = scale_ * scale_ * parts[3 * stride];
-      jet[3] = static_cast<FT>(uu);
-      jet[4] = static_cast<FT>(scale_ * scale_ * parts[4 * stride]);
-      jet[5] = static_cast<FT>(-uu);
-    }
+  void evaluate_alone(std::size_t j, const std::vector<Point_2>& points,
+                      const std::vector<Location>& locations, Batch<Order>& result) const {
+    const std::size_t n = this->domain().size();
+    boost::container::small_vector<Jet_2<FT, Order>, 32> lambda(n);
+    this->template evaluate<Order>(points[j], locations[j], lambda.data());
+    for (std::size_t q = 0; q < result.size(); ++q)
+      for (std::size_t i = 0; i < n; ++i)
+        result[q].data()[j * n + i] = lambda[i][q];
   }
 
   // the affine functions with the slopes of the hat functions along both sides
@@ -239,6 +427,7 @@ private:
   double error_bound_ = std::numeric_limits<double>::infinity();
   internal::harmonic::Harmonic_basis basis_;
   internal::harmonic::Affine_correction correction_;
+  std::vector<Complex> vertices_;      // in the normalized frame, as all that follows
   std::vector<Complex> vertex_probes_; // where derivatives at the vertices are taken
 };
 

@@ -24,6 +24,7 @@
 #include <array>
 #include <cstddef>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -65,7 +66,7 @@ public:
    * \param model the ribbons, central control point and options; a `Ribbon_loop_3` converts to it
    *
    * \throws Input_error if the options make no sense, or the coordinates do not exist on the domain
-   * \throws Numerical_error if the coordinates cannot be computed to a useful accuracy
+   * \throws Accuracy_error if harmonic coordinates cannot be computed even to 1e-3
    */
   explicit Concave_bezier_patch_3(const Model& model)
       : Concave_bezier_patch_3(model, make_domain(model.loop, model.domain)) {}
@@ -193,8 +194,19 @@ public:
   }
 
 private:
+  // A patch meets its ribbons however inaccurate the coordinates are inside; so a domain that is
+  // too narrow for full accuracy is no reason to give up.
+  static Coordinates make_coordinates(const Domain& domain) {
+    constexpr double target_error = 1e-8, acceptable_error = 1e-3;
+    if constexpr (std::is_constructible_v<Coordinates, const Domain&, double, double>)
+      return Coordinates(domain, target_error, acceptable_error);
+    else
+      return Coordinates(domain);
+  }
+
   Concave_bezier_patch_3(const Model& model, Generated_domain<Traits> generated)
-      : Concave_bezier_patch_3(model, Coordinates(generated.domain), std::move(generated.report)) {}
+      : Concave_bezier_patch_3(model, make_coordinates(generated.domain),
+                               std::move(generated.report)) {}
 
   Concave_bezier_patch_3(const Model& model, Coordinates coordinates, Domain_report report)
       : loop_(model.loop), coordinates_(std::move(coordinates)), domain_report_(std::move(report)),

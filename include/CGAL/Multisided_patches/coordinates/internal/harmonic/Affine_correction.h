@@ -6,8 +6,8 @@
 #ifndef CGAL_MULTISIDED_PATCHES_COORDINATES_INTERNAL_HARMONIC_AFFINE_CORRECTION_H
 #define CGAL_MULTISIDED_PATCHES_COORDINATES_INTERNAL_HARMONIC_AFFINE_CORRECTION_H
 
+#include <CGAL/Multisided_patches/coordinates/internal/harmonic/dense_algebra.h>
 #include <CGAL/Multisided_patches/coordinates/internal/harmonic/plane_geometry.h>
-#include <CGAL/Multisided_patches/coordinates/internal/harmonic/triangular.h>
 
 namespace CGAL {
 namespace Multisided_patches {
@@ -22,36 +22,34 @@ class Affine_correction {
 public:
   Affine_correction() = default;
   explicit Affine_correction(const std::vector<Complex>& vertices) : vertices_(vertices) {
-    Matrix q(vertices.size(), 3);
-    for (std::size_t i = 0; i < vertices.size(); ++i) {
-      q(i, 0) = 1;
-      q(i, 1) = vertices[i].real();
-      q(i, 2) = vertices[i].imag();
-    }
+    Matrix m(static_cast<Index>(vertices.size()), 3);
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      m.row(static_cast<Index>(i)) << 1, vertices[i].real(), vertices[i].imag();
     // With M^T = Q R, the map is Q R^{-T}: no squared condition number on thin polygons.
-    const Upper_triangular r = orthonormalize(q);
-    weights_ = q.transposed();
-    r.solve(weights_);
+    const Orthonormal_basis basis = orthonormalize(std::move(m));
+    weights_ = basis.q.transpose();
+    solve_upper(basis.r, weights_);
+    weights_.transposeInPlace();
   }
 
   // corrects one value, or one partial derivative, of all coordinates; b is what sum lambda_i,
   // sum lambda_i x_i and sum lambda_i y_i should be
-  void operator()(const std::array<double, 3>& b, double* lambda) const {
-    double d0 = b[0], d1 = b[1], d2 = b[2];
+  template <typename Real>
+  void operator()(const std::array<Real, 3>& b, Real* lambda) const {
+    std::array<Real, 3> defect = b;
     for (std::size_t i = 0; i < vertices_.size(); ++i) {
-      d0 -= lambda[i];
-      d1 -= lambda[i] * vertices_[i].real();
-      d2 -= lambda[i] * vertices_[i].imag();
+      defect[0] -= lambda[i];
+      defect[1] -= lambda[i] * vertices_[i].real();
+      defect[2] -= lambda[i] * vertices_[i].imag();
     }
-    for (std::size_t i = 0; i < vertices_.size(); ++i) {
-      const double* w = weights_.column(i);
-      lambda[i] += d0 * w[0] + d1 * w[1] + d2 * w[2];
-    }
+    const double* w = weights_.data();
+    for (std::size_t i = 0; i < vertices_.size(); ++i, w += 3)
+      lambda[i] += defect[0] * w[0] + defect[1] * w[1] + defect[2] * w[2];
   }
 
 private:
   std::vector<Complex> vertices_;
-  Matrix weights_; // one column a vertex
+  Matrix weights_; // one row a vertex
 };
 
 } // namespace harmonic

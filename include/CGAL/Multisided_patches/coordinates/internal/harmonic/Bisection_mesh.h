@@ -73,8 +73,8 @@ public:
   }
 
 private:
-  // More than any polygon needed by two orders of magnitude: a guard against endless refinement.
-  static constexpr std::size_t max_size = 120000;
+  // More than any polygon needed: a guard against endless refinement.
+  std::size_t max_size() const { return 120000 + 1000 * number_of_roots_; }
 
   double squared_length(std::size_t t, int edge) const {
     const std::array<std::size_t, 3>& v = triangles_[t].vertex;
@@ -92,10 +92,10 @@ private:
   }
 
   void cut_edge(std::size_t t, int edge) {
-    if (triangles_.size() > max_size)
+    if (triangles_.size() > max_size())
       throw Numerical_error("the domain has too much detail: no subdivision "
                             "of it into cells was found with " +
-                            std::to_string(max_size) + " triangles");
+                            std::to_string(max_size()) + " triangles");
     const Triangle& old = triangles_[t];
     const std::size_t n = old.neighbor[edge], midpoint = points_.size();
     points_.push_back((points_[old.vertex[(edge + 1) % 3]] + points_[old.vertex[(edge + 2) % 3]]) /

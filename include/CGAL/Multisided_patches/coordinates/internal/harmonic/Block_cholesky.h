@@ -6,11 +6,13 @@
 #ifndef CGAL_MULTISIDED_PATCHES_COORDINATES_INTERNAL_HARMONIC_BLOCK_CHOLESKY_H
 #define CGAL_MULTISIDED_PATCHES_COORDINATES_INTERNAL_HARMONIC_BLOCK_CHOLESKY_H
 
-#include <CGAL/Multisided_patches/coordinates/internal/harmonic/triangular.h>
+#include <CGAL/Multisided_patches/coordinates/internal/harmonic/dense_algebra.h>
+#include <CGAL/Multisided_patches/internal/for_each_index.h>
 
 #include <map>
 #include <set>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Multisided_patches {
@@ -23,56 +25,87 @@ namespace harmonic {
 class Block_cholesky {
 public:
   // `sizes` of the diagonal blocks
-  explicit Block_cholesky(const std::vector<std::size_t>& sizes)
-      : sizes_(sizes), degrees_(sizes.size(), 0), neighbors_(sizes.size()) {}
+  explicit Block_cholesky(std::vector<Index> sizes)
+      : sizes_(std::move(sizes)), degrees_(sizes_.size(), 0), neighbors_(sizes_.size()) {}
 
-  // adds to the block (i,j) and, by symmetry, its transpose to (j,i)
-  void add(std::size_t i, std::size_t j, const Matrix& block) {
-    Matrix& m = blocks_[std::minmax(i, j)];
-    if (m.rows() == 0 && i != j) {
-      couple(i, j);
-      couple(j, i);
-    }
-    if (m.rows() == 0)
-      m = i <= j ? block : block.transposed();
+  // adds a^T b to the block (i,j) and, by symmetry, its transpose to (j,i)
+  void add_transposed_product(double factor, std::size_t i, const Matrix& a, std::size_t j,
+                              const Matrix& b) {
+    Matrix& m = block(i, j);
+    if (i <= j)
+      harmonic::add_transposed_product(factor, a, b, m);
     else
-      m += i <= j ? block : block.transposed();
+      harmonic::add_transposed_product(factor, b, a, m);
   }
+  void add(std::size_t i, const Matrix& diagonal_block) { block(i, i) += diagonal_block; }
 
-  void factorize() {
-    std::set<std::size_t> remaining;
-    for (std::size_t i = 0; i < neighbors_.size(); ++i)
-      remaining.insert(i);
+  // whether the matrix was positive definite; if not, the object is of no further use
+  template <typename ConcurrencyTag>
+  bool factorize() {
+    std::set<std::pair<Index, std::size_t>> remaining; // by degree
+    for (std::size_t i = 0; i < sizes_.size(); ++i)
+      remaining.insert({degrees_[i], i});
     while (!remaining.empty()) {
-      const std::size_t pivot =
-          *std::min_element(remaining.begin(), remaining.end(), [&](std::size_t i, std::size_t j) {
-            return degrees_[i] < degrees_[j];
-          });
-      remaining.erase(pivot);
-      eliminate(pivot);
+      const std::size_t pivot = remaining.begin()->second;
+      const std::set<std::size_t> neighbors = neighbors_[pivot];
+      remaining.erase({degrees_[pivot], pivot});
+      for (const std::size_t i : neighbors)
+        remaining.erase({degrees_[i], i});
+      if (!eliminate<ConcurrencyTag>(pivot))
+        return false;
+      for (const std::size_t i : neighbors)
+        remaining.insert({degrees_[i], i});
     }
+    return true;
   }
 
-  // replaces b by the solution
-  void solve_in_place(std::vector<Matrix>& b) const {
+  // Replaces b by the solution. An empty matrix stands for a block of zeros; so it does in the
+  // solution, for blocks without an entry above `negligible`.
+  void solve_in_place(std::vector<Matrix>& b, double negligible = 0) const {
     for (const Row& row : rows_) {
-      row.diagonal.solve_transposed(b[row.pivot]);
-      for (const auto& entry : row.blocks)
-        add_transposed_product(-1, entry.second, b[row.pivot], b[entry.first]);
+      if (b[row.pivot].size() == 0)
+        continue;
+      solve_upper_transposed(row.diagonal, b[row.pivot]);
+      for (const Entry& entry : row.entries)
+        harmonic::add_transposed_product(-1, entry.block, b[row.pivot], b[entry.column]);
     }
     for (auto row = rows_.rbegin(); row != rows_.rend(); ++row) {
-      for (const auto& entry : row->blocks)
-        add_product(-1, entry.second, b[entry.first], b[row->pivot]);
-      row->diagonal.solve(b[row->pivot]);
+      Matrix& x = b[row->pivot];
+      for (const Entry& entry : row->entries)
+        if (b[entry.column].size() > 0)
+          add_product(-1, entry.block, b[entry.column], x);
+      if (x.size() == 0)
+        continue;
+      solve_upper(row->diagonal, x);
+      if (x.cwiseAbs().maxCoeff() <= negligible)
+        x.resize(0, 0);
     }
   }
 
 private:
+  struct Entry {
+    std::size_t column;
+    Matrix block;
+  };
   struct Row {
     std::size_t pivot;
-    Upper_triangular diagonal;
-    std::vector<std::pair<std::size_t, Matrix>> blocks; // with their columns
+    Matrix diagonal;
+    std::vector<Entry> entries; // right of the diagonal
   };
+
+  // the stored one of the blocks (i,j) and (j,i); a zero one if there was none
+  Matrix& block(std::size_t i, std::size_t j) {
+    const std::pair<std::size_t, std::size_t> key = std::minmax(i, j);
+    Matrix& m = blocks_[key];
+    if (m.size() == 0) {
+      m.setZero(sizes_[key.first], sizes_[key.second]);
+      if (i != j) {
+        couple(i, j);
+        couple(j, i);
+      }
+    }
+    return m;
+  }
 
   void couple(std::size_t i, std::size_t j) {
     neighbors_[i].insert(j);
@@ -83,29 +116,51 @@ private:
     degrees_[i] -= sizes_[j];
   }
 
-  void eliminate(std::size_t pivot) {
-    Row row{pivot, cholesky(blocks_.at({pivot, pivot})), {}};
+  template <typename ConcurrencyTag>
+  bool eliminate(std::size_t pivot) {
+    std::optional<Matrix> diagonal = cholesky(blocks_.at({pivot, pivot}));
+    if (!diagonal)
+      return false;
+    Row row{pivot, std::move(*diagonal), {}};
     for (const std::size_t i : neighbors_[pivot]) {
-      const auto block = blocks_.find(std::minmax(pivot, i));
-      row.blocks.push_back({i, pivot < i ? std::move(block->second) : block->second.transposed()});
-      row.diagonal.solve_transposed(row.blocks.back().second);
-      blocks_.erase(block);
+      const auto found = blocks_.find(std::minmax(pivot, i));
+      Matrix& m = found->second;
+      row.entries.push_back({i, pivot < i ? std::move(m) : Matrix(m.transpose())});
+      blocks_.erase(found);
       uncouple(i, pivot);
     }
-    // the Schur complement
-    for (std::size_t i = 0; i < row.blocks.size(); ++i)
-      for (std::size_t j = i; j < row.blocks.size(); ++j) {
-        const Matrix &a = row.blocks[i].second, &b = row.blocks[j].second;
-        Matrix update(a.columns(), b.columns());
-        add_transposed_product(-1, a, b, update);
-        add(row.blocks[i].first, row.blocks[j].first, update);
-      }
+    blocks_.erase({pivot, pivot});
+    subtract_schur_complement<ConcurrencyTag>(row);
     rows_.push_back(std::move(row));
+    return true;
+  }
+
+  template <typename ConcurrencyTag>
+  void subtract_schur_complement(Row& row) {
+    std::vector<Entry>& entries = row.entries;
+    for_each_index<ConcurrencyTag>(
+        entries.size(),
+        [&](std::size_t i) { solve_upper_transposed(row.diagonal, entries[i].block); }, 1);
+    struct Update {
+      const Entry &a, &b;
+      Matrix& target;
+    };
+    std::vector<Update> updates;
+    for (std::size_t i = 0; i < entries.size(); ++i)
+      for (std::size_t j = i; j < entries.size(); ++j) // by column, ascending
+        updates.push_back({entries[i], entries[j], block(entries[i].column, entries[j].column)});
+    for_each_index<ConcurrencyTag>(
+        updates.size(),
+        [&](std::size_t k) {
+          const Update& u = updates[k];
+          harmonic::add_transposed_product(-1, u.a.block, u.b.block, u.target);
+        },
+        1);
   }
 
   std::map<std::pair<std::size_t, std::size_t>, Matrix> blocks_; // (i,j) with i <= j, still to do
-  std::vector<std::size_t> sizes_;
-  std::vector<std::size_t> degrees_; // the number of rows that the elimination of a block couples
+  std::vector<Index> sizes_;
+  std::vector<Index> degrees_; // the number of rows that the elimination of a block couples
   std::vector<std::set<std::size_t>> neighbors_;
   std::vector<Row> rows_;
 };

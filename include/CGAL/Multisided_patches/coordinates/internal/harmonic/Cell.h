@@ -32,13 +32,13 @@ inline double resolution(const Cell& cell) {
   return std::visit([](const auto& c) { return c.resolution(); }, cell);
 }
 
-template <int Order>
-void basis(const Cell& cell, const Complex& z, Analytic<Order>* f) {
+template <int Order, typename Real>
+void basis(const Cell& cell, const std::complex<Real>& z, Analytic<Order, Real>* f) {
   std::visit([&](const auto& c) { c.template basis<Order>(z, f); }, cell);
 }
 
-template <int Order>
-std::size_t hats(const Cell& cell, const Complex& z, Hat_term<Order>* terms) {
+template <int Order, typename Real>
+std::size_t hats(const Cell& cell, const std::complex<Real>& z, Hat_term<Order, Real>* terms) {
   return std::visit([&](const auto& c) { return c.template hats<Order>(z, terms); }, cell);
 }
 

@@ -69,14 +69,14 @@ inline std::vector<Interval> free_intervals(const Boundary& boundary, std::size_
     return {};
   const Interval r1 = map.range(*s1), r2 = map.range(*s2);
   std::vector<Interval> free{{(std::max)(r1.low, r2.low), (std::min)(r1.high, r2.high)}};
-  for (std::size_t e = 0; e < boundary.size() && free[0].length() >= min_channel_length; ++e) {
+  if (!(free[0].length() >= min_channel_length))
+    return {};
+  for (std::size_t e = 0; e < boundary.size() && !free.empty(); ++e) {
     if (e == e1 || e == e2)
       continue;
     std::optional<Segment> s = clip(boundary.side(e), h1);
     if (s && (s = clip(*s, h2)))
       subtract(free, map.range(*s));
-    if (free.empty())
-      break;
   }
   return free;
 }

@@ -33,26 +33,26 @@ public:
         origin + d1 * (map.height() * std::cos(beta)) * Complex(-std::tan(beta / 2), 1);
     abscissa_[0] = dot(origin - boundary.vertex(e1), d1);
     abscissa_[1] = dot(above - boundary.vertex(e2), d2);
-    const double narrowest = pi / std::abs(map.derivative(map.abscissa(range.low)));
-    resolution_ = 0.75 * degree / (0.5 * narrowest);
+    resolution_ = 1.5 * degree * std::abs(map.derivative(Complex(map.abscissa(range.low))));
   }
 
   int size() const { return 2 * degree_; }
   double resolution() const { return resolution_; }
 
-  template <int Order>
-  void basis(const Complex& z, Analytic<Order>* f) const {
-    const Complex x = map_.local(z), w = map_.image(x);
-    const Complex factor[2] = {std::exp(w - range_.high), std::exp(range_.low - w)};
-    const Complex d = Order > 0 ? map_.derivative(x) : Complex(0);
+  template <int Order, typename Real>
+  void basis(const std::complex<Real>& z, Analytic<Order, Real>* f) const {
+    using Number = std::complex<Real>;
+    const Number x = map_.local(z), w = map_.image(x);
+    const Number factor[2] = {std::exp(w - Real(range_.high)), std::exp(Real(range_.low) - w)};
+    const Number d = Order > 0 ? map_.derivative(x) : Number(0);
     // W'' / W'
-    const Complex bend = Order > 1 ? -d * (map_.kappa() / map_.lambda()) : Complex(0);
-    Complex power[2] = {Complex(0, -1), Complex(0, -1)};
+    const Number bend = Order > 1 ? -d * bending<Real>() : Number(0);
+    Number power[2] = {Number(0, -1), Number(0, -1)};
     for (int j = 1; j <= degree_; ++j)
       for (const int end : {0, 1}) {
-        Analytic<Order>& g = f[2 * (j - 1) + end];
+        Analytic<Order, Real>& g = f[2 * (j - 1) + end];
         power[end] = product(power[end], factor[end]);
-        const double rate = end == 0 ? j : -j;
+        const Real rate = end == 0 ? j : -j;
         g[0] = power[end];
         if constexpr (Order >= 1)
           g[1] = product(rate * d, g[0]);
@@ -61,50 +61,59 @@ public:
       }
   }
 
-  template <int Order>
-  std::size_t hats(const Complex& z, Hat_term<Order>* terms) const {
-    const double beta = map_.beta();
-    const Complex x = map_.local(z);
-    const Analytic<Order> one{Complex(1)}, o2 = constant_on_e2<Order>(x),
-                                           x2 = linear_on_e2<Order>(x);
-    const Analytic<Order> o1 = combination<Order>(1, one, -1, o2);
+  template <int Order, typename Real>
+  std::size_t hats(const std::complex<Real>& z, Hat_term<Order, Real>* terms) const {
+    using Number = std::complex<Real>;
+    using Function = Analytic<Order, Real>;
+    const Number x = map_.local(z);
+    const Function one{Number(1)}, o2 = constant_on_e2<Order>(x), x2 = linear_on_e2<Order>(x);
+    const Function o1 = combination<Order, Real>(1, one, -1, o2);
     // Re x on e2 is q + cos(beta) times the abscissa there
-    const double q = -map_.height() * std::cos(beta) * std::tan(beta / 2);
-    Analytic<Order> x1 = combination<Order>(-q, o2, -std::cos(beta), x2);
+    const Real cosine = std::cos(map_.beta()),
+               q = -map_.height() * cosine * std::tan(map_.beta() / 2);
+    Function x1 = combination<Order, Real>(-q, o2, -cosine, x2);
     x1[0] += x;
     if constexpr (Order >= 1)
-      x1[1] += map_.inverse_direction();
+      x1[1] += Number(map_.inverse_direction());
     // The abscissa on e2 runs against its direction: the domain is on its left, too.
-    terms[1] = {target_[0],
-                combination<Order>(inverse_length_[0], x1, inverse_length_[0] * abscissa_[0], o1)};
-    terms[0] = {side_[0], combination<Order>(1, o1, -1, terms[1].f)};
-    terms[3] = {target_[1],
-                combination<Order>(-inverse_length_[1], x2, inverse_length_[1] * abscissa_[1], o2)};
-    terms[2] = {side_[1], combination<Order>(1, o2, -1, terms[3].f)};
+    const Real slope1 = inverse_length_[0], slope2 = inverse_length_[1];
+    terms[1] = {target_[0], combination<Order, Real>(slope1, x1, slope1 * abscissa_[0], o1)};
+    terms[0] = {side_[0], combination<Order, Real>(1, o1, -1, terms[1].f)};
+    terms[3] = {target_[1], combination<Order, Real>(-slope2, x2, slope2 * abscissa_[1], o2)};
+    terms[2] = {side_[1], combination<Order, Real>(1, o2, -1, terms[3].f)};
     return 4;
   }
 
 private:
+  // W'' / W'^2, up to its sign
+  template <typename Real>
+  Real bending() const {
+    return Real(map_.kappa()) / Real(map_.lambda());
+  }
+
   // O2 = Im W / pi
-  template <int Order>
-  Analytic<Order> constant_on_e2(const Complex& x) const {
-    Analytic<Order> f{minus_i_times(map_.image(x)) / pi};
+  template <int Order, typename Real>
+  Analytic<Order, Real> constant_on_e2(const std::complex<Real>& x) const {
+    const Real scale = 1 / Real(pi);
+    Analytic<Order, Real> f{scale * minus_i_times(map_.image(x))};
     if constexpr (Order >= 1)
-      f[1] = minus_i_times(map_.derivative(x)) / pi;
+      f[1] = scale * minus_i_times(map_.derivative(x));
     if constexpr (Order >= 2)
-      f[2] = -f[1] * map_.derivative(x) * (map_.kappa() / map_.lambda());
+      f[2] = -f[1] * map_.derivative(x) * bending<Real>();
     return f;
   }
 
   // X2 = Im [x / sin(beta) - log(1 + kappa x) / (beta kappa)], arranged for small beta
-  template <int Order>
-  Analytic<Order> linear_on_e2(const Complex& x) const {
-    const double beta = map_.beta(), scale = map_.lambda() / pi;
-    const double slope =
+  template <int Order, typename Real>
+  Analytic<Order, Real> linear_on_e2(const std::complex<Real>& x) const {
+    using Number = std::complex<Real>;
+    const double beta = map_.beta();
+    const Real slope =
         beta < 1e-2 ? beta / 6 + 7 * beta * beta * beta / 360 : 1 / std::sin(beta) - 1 / beta;
-    const Complex bent = product(product(x, x), log1p_defect(map_.kappa() * x));
-    const Complex d = map_.inverse_direction(), stretch = 1. + map_.kappa() * x;
-    Analytic<Order> f{minus_i_times(slope * x + scale * bent)};
+    const Real scale = Real(map_.lambda()) / Real(pi), kappa = map_.kappa();
+    const Number bent = product(product(x, x), log1p_defect(kappa * x));
+    const Number d(map_.inverse_direction()), stretch = Real(1) + kappa * x;
+    Analytic<Order, Real> f{minus_i_times(slope * x + scale * bent)};
     if constexpr (Order >= 1)
       f[1] = minus_i_times(product(d, slope + scale * x / stretch));
     if constexpr (Order >= 2)

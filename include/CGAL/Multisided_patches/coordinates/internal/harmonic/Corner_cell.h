@@ -24,9 +24,10 @@ class Corner_cell {
 public:
   Corner_cell(const Boundary& boundary, std::size_t k, double radius, int size)
       : vertex_(boundary.vertex(k)), index_(k), next_(boundary.next(k)), prev_(boundary.prev(k)),
-        radius_(radius), angle_(boundary.angle(k)), size_(size),
+        radius_(radius), log_radius_(std::log(radius)), angle_(boundary.angle(k)),
+        half_opening_(angle_ * pi / 2), size_(size),
         inverse_direction_(std::conj(boundary.direction(k))),
-        to_bisector_(inverse_direction_ * std::polar(1., -angle_ * pi / 2)),
+        to_bisector_(inverse_direction_ * std::polar(1., -half_opening_)),
         slope_next_(1 / boundary.length(k)), slope_prev_(1 / boundary.length(prev_)) {
     set_lift();
   }
@@ -34,48 +35,56 @@ public:
   int size() const { return size_; }
   double resolution() const { return size_ / (angle_ * radius_); }
 
-  template <int Order>
-  void basis(const Complex& z, Analytic<Order>* f) const {
-    const Complex offset = offset_from_vertex(z);
-    const Complex w = std::exp(local_log(offset) / angle_);
-    const Complex inverse = Order > 0 ? 1. / offset : Complex(0);
-    Complex power(0, -1);
+  template <int Order, typename Real>
+  void basis(const std::complex<Real>& z, Analytic<Order, Real>* f) const {
+    using Number = std::complex<Real>;
+    const Number offset = offset_from_vertex(z);
+    const Real angle = angle_;
+    const Number w = std::exp(local_log(offset) / angle);
+    const Number inverse = Order > 0 ? Real(1) / offset : Number(0);
+    Number power(0, -1);
     for (int j = 1; j <= size_; ++j) {
       power = product(power, w);
       f[j - 1][0] = power;
       if constexpr (Order >= 1)
-        f[j - 1][1] = product(j / angle_ * inverse, power);
+        f[j - 1][1] = product(j / angle * inverse, power);
       if constexpr (Order >= 2)
-        f[j - 1][2] = product((j / angle_ - 1) * inverse, f[j - 1][1]);
+        f[j - 1][2] = product((j / angle - 1) * inverse, f[j - 1][1]);
     }
   }
 
-  template <int Order>
-  std::size_t hats(const Complex& z, Hat_term<Order>* terms) const {
-    const Complex offset = offset_from_vertex(z);
-    Analytic<Order> x{product(offset, inverse_direction_)};
+  template <int Order, typename Real>
+  std::size_t hats(const std::complex<Real>& z, Hat_term<Order, Real>* terms) const {
+    using Number = std::complex<Real>;
+    const Number offset = offset_from_vertex(z);
+    const Number direction(inverse_direction_);
+    Analytic<Order, Real> x{product(offset, direction)};
     if constexpr (Order >= 1)
-      x[1] = inverse_direction_;
-    const Analytic<Order> y = lift<Order>(offset);
-    const double cosine = std::cos(angle_ * pi);
-    terms[1] = {next_, combination<Order>(slope_next_, x, -slope_next_ * cosine, y)};
-    terms[2] = {prev_, combination<Order>(0, x, slope_prev_, y)};
-    terms[0] = {index_, combination<Order>(-1, terms[1].f, -1, terms[2].f)};
-    terms[0].f[0] += 1.;
+      x[1] = direction;
+    const Analytic<Order, Real> y = lift<Order>(offset);
+    const Real slope = slope_next_, cosine = std::cos(angle_ * pi);
+    terms[1] = {next_, combination<Order, Real>(slope, x, -slope * cosine, y)};
+    terms[2] = {prev_, combination<Order, Real>(0, x, slope_prev_, y)};
+    terms[0] = {index_, combination<Order, Real>(-1, terms[1].f, -1, terms[2].f)};
+    terms[0].f[0] += Real(1);
     return 3;
   }
 
 private:
   // z - v, but never 0, where the logarithm and the negative powers end.
-  Complex offset_from_vertex(const Complex& z) const {
-    return z == vertex_ ? 1e-100 * std::conj(to_bisector_) : z - vertex_;
+  template <typename Real>
+  std::complex<Real> offset_from_vertex(const std::complex<Real>& z) const {
+    const std::complex<Real> offset = z - std::complex<Real>(vertex_);
+    return offset == std::complex<Real>(0) ? std::complex<Real>(1e-100 * std::conj(to_bisector_))
+                                           : offset;
   }
 
   // log(zeta / r), with the argument running continuously from 0 to a pi through the domain
-  Complex local_log(const Complex& offset) const {
-    const Complex q = product(offset, to_bisector_);
-    return {std::log(std::norm(offset)) / 2 - std::log(radius_),
-            std::atan2(q.imag(), q.real()) + angle_ * pi / 2};
+  template <typename Real>
+  std::complex<Real> local_log(const std::complex<Real>& offset) const {
+    const std::complex<Real> q = product(offset, std::complex<Real>(to_bisector_));
+    return {std::log(std::norm(offset)) / 2 - log_radius_,
+            std::atan2(q.imag(), q.real()) + Real(half_opening_)};
   }
 
   // Y = Im zeta / sin(a pi) breaks down where sin(a pi) vanishes. Near such an angle a = m / (1 +
@@ -95,32 +104,33 @@ private:
     }
   }
 
-  template <int Order>
-  Analytic<Order> lift(const Complex& offset) const {
-    const Complex zeta = product(offset, inverse_direction_);
-    const Complex d = inverse_direction_;
-    Analytic<Order> y{};
+  template <int Order, typename Real>
+  Analytic<Order, Real> lift(const std::complex<Real>& offset) const {
+    using Number = std::complex<Real>;
+    const Number d(inverse_direction_), zeta = product(offset, d);
+    const Real factor = lift_factor_, exponent = lift_exponent_;
+    Analytic<Order, Real> y{};
     if (!lift_is_power_) {
-      y[0] = lift_factor_ * minus_i_times(zeta);
+      y[0] = factor * minus_i_times(zeta);
       if constexpr (Order >= 1)
-        y[1] = lift_factor_ * minus_i_times(d);
+        y[1] = factor * minus_i_times(d);
       return y;
     }
-    const Complex log = local_log(offset), w = lift_exponent_ * log;
-    const Complex ratio = product(log, expm1_ratio(w)); // ((zeta/r)^e - 1) / e
-    y[0] = -lift_factor_ * minus_i_times(product(zeta, ratio));
+    const Number log = local_log(offset), w = exponent * log;
+    const Number ratio = product(log, expm1_ratio(w)); // ((zeta/r)^e - 1) / e
+    y[0] = -factor * minus_i_times(product(zeta, ratio));
     if constexpr (Order >= 1) {
-      const Complex power = 1. + lift_exponent_ * ratio;
-      y[1] = -lift_factor_ * minus_i_times(product(d, ratio + power));
+      const Number power = Real(1) + exponent * ratio;
+      y[1] = -factor * minus_i_times(product(d, ratio + power));
       if constexpr (Order >= 2)
-        y[2] = -lift_factor_ * (1 + lift_exponent_) * minus_i_times(product(d, power) / offset);
+        y[2] = -factor * (1 + exponent) * minus_i_times(product(d, power) / offset);
     }
     return y;
   }
 
   Complex vertex_;
   std::size_t index_, next_, prev_;
-  double radius_, angle_;
+  double radius_, log_radius_, angle_, half_opening_;
   int size_;
   Complex inverse_direction_, to_bisector_;
   double slope_next_, slope_prev_;

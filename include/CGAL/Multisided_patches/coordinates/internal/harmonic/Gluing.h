@@ -8,6 +8,9 @@
 
 #include <CGAL/Multisided_patches/coordinates/internal/harmonic/Block_cholesky.h>
 #include <CGAL/Multisided_patches/coordinates/internal/harmonic/Interface.h>
+#include <CGAL/Multisided_patches/coordinates/internal/harmonic/Vertex_block.h>
+
+#include <CGAL/Multisided_patches/errors.h>
 
 namespace CGAL {
 namespace Multisided_patches {
@@ -17,127 +20,180 @@ namespace harmonic {
 // Solves the least-squares problem of all interfaces.
 //
 // The bases of the cells are ill-conditioned (a power series on part of a disc), so first each gets
-// one that is orthonormal on its interfaces: the QR factorization of all rows of a cell. With it
-// the diagonal blocks of the normal equations are unit matrices, the equations are
-// well-conditioned, and one step of iterative refinement makes up for having squared the condition
-// number.
+// one that is orthonormal on its interfaces. With it the diagonal blocks of the normal equations
+// are nearly unit matrices, the equations are well-conditioned, and one step of iterative
+// refinement makes up for having squared the condition number.
+template <typename ConcurrencyTag>
 class Gluing {
 public:
-  // `interfaces` are overwritten
-  Gluing(std::vector<Interface>& interfaces, const std::vector<Cell>& cells)
-      : interfaces_(interfaces), triangular_(cells.size()) {
-    for (const Cell& cell : cells)
-      sizes_.push_back(static_cast<std::size_t>(size(cell)));
+  // `equations` of the interfaces of `sizes.size()` cells with that many unknowns each
+  Gluing(const std::vector<Interface>& interfaces, std::vector<Interface_equations> equations,
+         std::vector<Index> sizes)
+      : interfaces_(interfaces), equations_(std::move(equations)), sizes_(std::move(sizes)),
+        sides_of_(sizes_.size()), triangular_(sizes_.size()), grams_(sizes_.size()),
+        penalties_(sizes_.size()), factorization_(sizes_) {
+    for (std::size_t f = 0; f < interfaces_.size(); ++f)
+      for (const std::size_t i : {0, 1})
+        sides_of_[interfaces_[f].cell[i]].push_back({f, i});
+    for_each_index<ConcurrencyTag>(
+        sizes_.size(), [&](std::size_t c) { orthonormalize_cell(c); }, 1);
+    factorize();
+    products_.resize(equations_.size());
+    for_each_index<ConcurrencyTag>(
+        equations_.size(), [&](std::size_t f) { multiply_right_hand_sides(f); }, 16);
   }
 
-  // whether every cell has at least as many equations as unknowns
-  bool is_overdetermined() const {
-    for (std::size_t c = 0; c < sizes_.size(); ++c)
-      if (height(c) < sizes_[c])
-        return false;
-    return true;
-  }
-
-  // the coefficients of every cell; one column a vertex
-  std::vector<Matrix> solve() {
-    for (std::size_t c = 0; c < sizes_.size(); ++c)
-      orthonormalize_cell(c);
-    Block_cholesky factorization = normal_equations();
-    factorization.factorize();
-    std::vector<Matrix> x;
-    for (const std::size_t size : sizes_)
-      x.emplace_back(size, interfaces_.front().rhs.columns());
-    constexpr int max_passes = 4; // two suffice in general
-    for (int pass = 0; pass < max_passes; ++pass) {
-      std::vector<Matrix> r = residual(x);
-      factorization.solve_in_place(r);
-      double update = 0;
-      for (std::size_t c = 0; c < x.size(); ++c) {
-        x[c] += r[c];
-        update = (std::max)(update, r[c].max_abs());
-      }
-      if (update < 1e-7) // and the next is its square
-        break;
-    }
-    for (std::size_t c = 0; c < x.size(); ++c)
-      triangular_[c].solve(x[c]);
-    return x;
+  // the coefficients of every cell, to about `accuracy`, the unit being that of the values on the
+  // interfaces
+  std::vector<Cell_coefficients> solve(const Vertex_blocking& blocking, double accuracy) const {
+    std::vector<std::vector<Matrix>> x(blocking.size());
+    // How far rounding spoils the result is seen in the first block.
+    const bool refine = solve_block(blocking, 0, true, accuracy, x[0]) > 0.03 * accuracy;
+    for_each_index<ConcurrencyTag>(
+        blocking.size() - 1,
+        [&](std::size_t k) { solve_block(blocking, k + 1, refine, accuracy, x[k + 1]); }, 1);
+    std::vector<Cell_coefficients> result(sizes_.size());
+    for (std::size_t k = 0; k < blocking.size(); ++k)
+      for (std::size_t c = 0; c < sizes_.size(); ++c)
+        if (x[k][c].size() > 0)
+          result[c].push_back({k * blocking.width(), std::move(x[k][c])});
+    return result;
   }
 
 private:
-  std::size_t height(std::size_t c) const {
-    std::size_t sum = 0;
-    for_each_part(c, [&](const Matrix& part) { sum += part.rows(); });
-    return sum;
-  }
+  struct Side {
+    std::size_t interface, index; // 0 or 1
+  };
 
-  // all rows of a cell, in the order of the interfaces
-  Matrix stack_rows(std::size_t c) const {
-    Matrix all(height(c), sizes_[c]);
-    std::size_t row = 0;
-    for_each_part(c, [&](const Matrix& part) {
-      for (std::size_t j = 0; j < sizes_[c]; ++j)
-        std::copy_n(part.column(j), part.rows(), all.column(j) + row);
-      row += part.rows();
-    });
-    return all;
-  }
+  const Matrix& rows(const Side& s) const { return equations_[s.interface].rows[s.index]; }
 
   void orthonormalize_cell(std::size_t c) {
-    Matrix all = stack_rows(c);
-    triangular_[c] = orthonormalize(all);
-    std::size_t row = 0;
-    for_each_part(c, [&](Matrix& part) {
-      for (std::size_t j = 0; j < sizes_[c]; ++j)
-        std::copy_n(all.column(j) + row, part.rows(), part.column(j));
+    Index height = 0;
+    for (const Side& s : sides_of_[c])
+      height += rows(s).rows();
+    Matrix all(height, sizes_[c]);
+    Index row = 0;
+    for (const Side& s : sides_of_[c]) {
+      all.middleRows(row, rows(s).rows()) = rows(s);
+      row += rows(s).rows();
+    }
+    Orthonormal_basis basis = orthonormalize(std::move(all));
+    row = 0;
+    for (const Side& s : sides_of_[c]) {
+      Matrix& part = equations_[s.interface].rows[s.index];
+      part = basis.q.middleRows(row, part.rows());
       row += part.rows();
-    });
-  }
-
-  template <typename Function>
-  void for_each_part(std::size_t c, const Function& function) const {
-    for (Interface& face : interfaces_)
-      for (const int i : {0, 1})
-        if (face.cell[i] == c)
-          function(face.rows[i]);
-  }
-
-  Block_cholesky normal_equations() const {
-    Block_cholesky equations(sizes_);
-    for (std::size_t c = 0; c < sizes_.size(); ++c) {
-      // The shift keeps the pivots positive if two cells nearly span the same functions; it is at
-      // the level of rounding, and the refinement removes its effect.
-      Matrix unit(sizes_[c], sizes_[c]);
-      for (std::size_t i = 0; i < sizes_[c]; ++i)
-        unit(i, i) = 1 + 1e-13;
-      equations.add(c, c, unit);
     }
-    for (const Interface& face : interfaces_) {
-      Matrix block(face.rows[0].columns(), face.rows[1].columns());
-      add_transposed_product(1, face.rows[0], face.rows[1], block);
-      equations.add(face.cell[0], face.cell[1], block);
-    }
-    return equations;
+    triangular_[c] = std::move(basis.r);
+    grams_[c] = std::move(basis.gram);
+    penalties_[c] = std::move(basis.penalty);
   }
 
-  // A^T (b - A x), with the tall A: no cancellation of large products
-  std::vector<Matrix> residual(const std::vector<Matrix>& x) const {
-    std::vector<Matrix> r;
-    for (const std::size_t size : sizes_)
-      r.emplace_back(size, interfaces_.front().rhs.columns());
-    for (const Interface& face : interfaces_) {
-      Matrix defect = face.rhs;
-      for (const int i : {0, 1})
-        add_product(-1, face.rows[i], x[face.cell[i]], defect);
-      for (const int i : {0, 1})
-        add_transposed_product(1, face.rows[i], defect, r[face.cell[i]]);
+  // A shift keeps the pivots positive where two cells nearly span the same functions. It starts at
+  // the level of rounding, and the refinement removes its effect.
+  void factorize() {
+    for (double shift = 1e-15; shift < 1e-3; shift *= 1000) {
+      factorization_ = normal_equations(shift);
+      if (factorization_.template factorize<ConcurrencyTag>())
+        return;
+    }
+    throw Numerical_error("the equations are singular");
+  }
+
+  Block_cholesky normal_equations(double shift) const {
+    Block_cholesky result(sizes_);
+    for (std::size_t c = 0; c < sizes_.size(); ++c)
+      result.add(c, grams_[c] + shift * Matrix::Identity(sizes_[c], sizes_[c]));
+    for (std::size_t f = 0; f < interfaces_.size(); ++f) {
+      const std::array<std::size_t, 2>& cell = interfaces_[f].cell;
+      const std::array<Matrix, 2>& r = equations_[f].rows;
+      result.add_transposed_product(1, cell[0], r[0], cell[1], r[1]);
+    }
+    return result;
+  }
+
+  // A^T b
+  void multiply_right_hand_sides(std::size_t f) {
+    for (const std::size_t i : {0, 1}) {
+      const Matrix& a = equations_[f].rows[i];
+      products_[f][i].setZero(a.cols(), equations_[f].rhs.cols());
+      add_transposed_product(1, a, equations_[f].rhs, products_[f][i]);
+    }
+  }
+
+  // A^T b for a block of vertices; where it is zero, the matrix stays empty
+  std::vector<Matrix> right_hand_sides(const Vertex_blocking& blocking, std::size_t block) const {
+    std::vector<Matrix> b(sizes_.size());
+    for (std::size_t f = 0; f < interfaces_.size(); ++f)
+      for (std::size_t k = 0; k < equations_[f].vertices.size(); ++k) {
+        const std::size_t vertex = equations_[f].vertices[k];
+        if (blocking.block_of(vertex) != block)
+          continue;
+        for (const std::size_t i : {0, 1}) {
+          const std::size_t c = interfaces_[f].cell[i];
+          if (b[c].size() == 0)
+            b[c].setZero(sizes_[c], static_cast<Index>(blocking.width()));
+          b[c].col(static_cast<Index>(vertex - block * blocking.width())) +=
+              products_[f][i].col(static_cast<Index>(k));
+        }
+      }
+    return b;
+  }
+
+  // A^T (b - A x), with the tall A: no cancellation of large products; less the penalties
+  std::vector<Matrix> residual(const Vertex_blocking& blocking, std::size_t block,
+                               const std::vector<Matrix>& x) const {
+    std::vector<Matrix> r(sizes_.size());
+    for (std::size_t c = 0; c < sizes_.size(); ++c)
+      if (penalties_[c].size() > 0 && x[c].size() > 0)
+        add_product(-1, penalties_[c], x[c], r[c]);
+    for (std::size_t f = 0; f < interfaces_.size(); ++f) {
+      Matrix defect = right_hand_side(equations_[f], blocking, block);
+      for (const std::size_t i : {0, 1})
+        if (x[interfaces_[f].cell[i]].size() > 0)
+          add_product(-1, equations_[f].rows[i], x[interfaces_[f].cell[i]], defect);
+      if (defect.size() > 0)
+        for (const std::size_t i : {0, 1})
+          add_transposed_product(1, equations_[f].rows[i], defect, r[interfaces_[f].cell[i]]);
     }
     return r;
   }
 
-  std::vector<Interface>& interfaces_;
-  std::vector<Upper_triangular> triangular_; // the R of the QR factorizations
-  std::vector<std::size_t> sizes_;
+  // sets x and returns by how much refinement changed it
+  double solve_block(const Vertex_blocking& blocking, std::size_t block, bool refine,
+                     double accuracy, std::vector<Matrix>& x) const {
+    const double negligible = 1e-3 * accuracy;
+    x = right_hand_sides(blocking, block);
+    factorization_.solve_in_place(x, negligible);
+    double first_update = 0;
+    constexpr int max_passes = 4; // one suffices in general
+    for (int pass = 0; refine && pass < max_passes; ++pass) {
+      std::vector<Matrix> r = residual(blocking, block, x);
+      factorization_.solve_in_place(r);
+      double update = 0;
+      for (std::size_t c = 0; c < x.size(); ++c)
+        if (x[c].size() > 0 && r[c].size() > 0) {
+          x[c] += r[c];
+          update = (std::max)(update, r[c].cwiseAbs().maxCoeff());
+        }
+      if (pass == 0)
+        first_update = update;
+      if (update < 1e-7) // and the next is its square
+        break;
+    }
+    for (std::size_t c = 0; c < x.size(); ++c)
+      if (x[c].size() > 0)
+        solve_upper(triangular_[c], x[c]);
+    return first_update;
+  }
+
+  const std::vector<Interface>& interfaces_;
+  std::vector<Interface_equations> equations_; // of every interface
+  std::vector<Index> sizes_;
+  std::vector<std::vector<Side>> sides_of_;            // of every cell
+  std::vector<Matrix> triangular_, grams_, penalties_; // of the orthonormal basis of every cell
+  std::vector<std::array<Matrix, 2>> products_;        // A^T b, for the vertices of every interface
+  Block_cholesky factorization_;
 };
 
 } // namespace harmonic

@@ -6,7 +6,7 @@
 #ifndef CGAL_MULTISIDED_PATCHES_COORDINATES_INTERNAL_HARMONIC_INTERFACE_H
 #define CGAL_MULTISIDED_PATCHES_COORDINATES_INTERNAL_HARMONIC_INTERFACE_H
 
-#include <CGAL/Multisided_patches/coordinates/internal/harmonic/Matrix.h>
+#include <CGAL/Multisided_patches/coordinates/internal/harmonic/Vertex_block.h>
 #include <CGAL/Multisided_patches/coordinates/internal/harmonic/cover_mesh.h>
 #include <CGAL/Multisided_patches/internal/gauss_legendre.h>
 
@@ -15,17 +15,44 @@ namespace Multisided_patches {
 namespace internal {
 namespace harmonic {
 
-// The common boundary of two cells: mesh edges, and the equations that glue the local solutions on
-// them, |rows[0] c_0 + rows[1] c_1 - rhs| -> min for the coefficients c_i of cell[i]; one column a
-// vertex of the polygon.
+// The common boundary of two cells.
 struct Interface {
   std::array<std::size_t, 2> cell;
   std::vector<Segment> edges;
-  std::array<Matrix, 2> rows;
-  Matrix rhs;
 };
 
-// the interfaces of all pairs of cells, without the equations
+// The equations that glue the local solutions of the two cells of an interface,
+//   rows[0] c_0 + rows[1] c_1 = rhs
+// for the coefficients c_i of cell[i]: at every point one for the values, and one for the normal
+// derivatives in units of the wavelength of the bases. There are none on the boundary of the
+// domain: the cells satisfy them exactly. Few vertices have boundary values on either cell; for all
+// others the right-hand side is zero.
+struct Interface_equations {
+  std::array<Matrix, 2> rows;
+  std::vector<std::size_t> vertices;
+  Matrix rhs; // one column each of `vertices`
+};
+
+// the right-hand side for a block of vertices; where it is zero, the matrix stays empty
+inline Matrix right_hand_side(const Interface_equations& equations, const Vertex_blocking& blocking,
+                              std::size_t block) {
+  Matrix result;
+  for (std::size_t k = 0; k < equations.vertices.size(); ++k) {
+    const std::size_t vertex = equations.vertices[k];
+    if (blocking.block_of(vertex) != block)
+      continue;
+    if (result.size() == 0)
+      result.setZero(equations.rhs.rows(), static_cast<Index>(blocking.width()));
+    result.col(static_cast<Index>(vertex - block * blocking.width())) =
+        equations.rhs.col(static_cast<Index>(k));
+  }
+  return result;
+}
+
+// Shorter edges are rounding: the domain has unit size.
+inline constexpr double negligible_length = 1e-15;
+
+// the interfaces of all pairs of cells
 inline std::vector<Interface> find_interfaces(const Bisection_mesh& mesh,
                                               const std::vector<std::size_t>& cell_of) {
   std::map<std::array<std::size_t, 2>, std::vector<Segment>> edges;
@@ -35,90 +62,143 @@ inline std::vector<Interface> find_interfaces(const Bisection_mesh& mesh,
       if (!mesh.triangle(t).is_leaf() || n == Bisection_mesh::none || cell_of[t] >= cell_of[n])
         continue;
       const Triangle_points z = mesh.corners(t);
-      edges[{cell_of[t], cell_of[n]}].push_back({z[(i + 1) % 3], z[(i + 2) % 3]});
+      const Segment edge{z[(i + 1) % 3], z[(i + 2) % 3]};
+      if (std::abs(edge.b - edge.a) > negligible_length)
+        edges[{cell_of[t], cell_of[n]}].push_back(edge);
     }
   std::vector<Interface> result;
   for (auto& entry : edges)
-    result.push_back({entry.first, std::move(entry.second), {}, {}});
+    result.push_back({entry.first, std::move(entry.second)});
   return result;
 }
 
-// of the bases of both cells
-inline double finest_resolution(const Interface& face, const std::vector<Cell>& cells) {
-  return (std::max)(resolution(cells[face.cell[0]]), resolution(cells[face.cell[1]]));
-}
-
-// Sets up the equations of interfaces: at Gauss-Legendre points of every edge, the values and the
-// normal derivatives of both sides agree; the derivatives are in units of the wavelength of the
-// bases. There are no equations on the boundary of the domain: the cells satisfy them exactly.
+// Sets up the equations of interfaces.
 class Interface_assembler {
 public:
-  Interface_assembler(const std::vector<Cell>& cells, std::size_t number_of_vertices,
-                      double oversampling)
-      : cells_(cells), number_of_vertices_(number_of_vertices), oversampling_(oversampling) {}
+  // Where the equations hold. They are solved in the least-squares sense at the Gauss-Legendre
+  // points of every edge, so what is left oscillates, and is largest between these.
+  enum class Points { gauss_legendre, between };
 
-  void assemble(Interface& face) {
-    const double finest = finest_resolution(face, cells_);
-    std::size_t points = 0;
-    for (const Segment& s : face.edges)
-      points += number_of_points(s, face);
+  Interface_assembler(const std::vector<Cell>& cells, const std::vector<Interface>& faces,
+                      double oversampling = 0.7) // 0.6 to 1.2 make no difference
+      : cells_(cells), oversampling_(oversampling) {
+    while (!is_overdetermined(faces))
+      oversampling_ *= 1.5;
+    for (const Interface& face : faces)
+      for (const Segment& s : face.edges) {
+        const std::size_t m = number_of_points(s, face);
+        if (rules_.size() <= m)
+          rules_.resize(m + 1);
+        if (rules_[m].empty())
+          rules_[m] = gauss_legendre(static_cast<int>(m));
+      }
+  }
+
+  double oversampling() const { return oversampling_; }
+
+  Interface_equations assemble(const Interface& face, Points points) const {
+    const double finest = finest_resolution(face);
+    Interface_equations result;
     for (const int i : {0, 1})
-      face.rows[i] = Matrix(2 * points, size(cells_[face.cell[i]]));
-    face.rhs = Matrix(2 * points, number_of_vertices_);
-    std::size_t row = 0;
+      add_vertices(cells_[face.cell[i]], face.edges.front().a, result.vertices);
+    const Index rows = 2 * static_cast<Index>(number_of_points(face, points));
+    for (const int i : {0, 1})
+      result.rows[i].resize(rows, size(cells_[face.cell[i]]));
+    result.rhs.setZero(rows, static_cast<Index>(result.vertices.size()));
+    std::vector<Analytic<1>> basis;
+    Index row = 0;
     for (const Segment& s : face.edges) {
-      const Complex d = s.b - s.a, normal = Complex(0, -1) * d / std::abs(d);
-      for (const Quadrature_node& node : nodes(number_of_points(s, face))) {
-        const Complex z = s.a + node.t * d;
-        add_equations(face, row, 0, z, normal / finest);
-        add_equations(face, row, 1, z, normal / finest);
+      const Complex d = s.b - s.a, normal = Complex(0, -1) * d / (std::abs(d) * finest);
+      for (const double t : parameters(number_of_points(s, face), points)) {
+        for (const int i : {0, 1})
+          add_equations(cells_[face.cell[i]], i == 0 ? 1 : -1, s.a + t * d, normal, row,
+                        result.rows[i], basis, result);
         row += 2;
       }
     }
+    return result;
   }
 
 private:
+  // whether every cell has at least as many equations as unknowns
+  bool is_overdetermined(const std::vector<Interface>& faces) const {
+    std::vector<std::size_t> equations(cells_.size(), 0);
+    for (const Interface& face : faces)
+      for (const std::size_t c : face.cell)
+        equations[c] += 2 * number_of_points(face, Points::gauss_legendre);
+    for (std::size_t c = 0; c < cells_.size(); ++c)
+      if (equations[c] < static_cast<std::size_t>(size(cells_[c])) && faces.size() > 0)
+        return false;
+    return true;
+  }
+
+  // of the bases of both cells
+  double finest_resolution(const Interface& face) const {
+    return (std::max)(resolution(cells_[face.cell[0]]), resolution(cells_[face.cell[1]]));
+  }
+
   // Enough for the oscillations, but not many times the number of unknowns: in a sharp corner, the
   // high powers live near the outer end of an edge only, where the Gauss points accumulate.
-  int number_of_points(const Segment& s, const Interface& face) const {
+  std::size_t number_of_points(const Segment& s, const Interface& face) const {
     const int unknowns = size(cells_[face.cell[0]]) + size(cells_[face.cell[1]]);
-    const double oscillations = std::abs(s.b - s.a) * finest_resolution(face, cells_);
-    return (std::max)(
-        3, static_cast<int>(std::ceil(oversampling_ * (std::min)(oscillations, 2. * unknowns))));
+    const double oscillations = std::abs(s.b - s.a) * finest_resolution(face);
+    return static_cast<std::size_t>(
+        (std::max)(3., std::ceil(oversampling_ * (std::min)(oscillations, 2. * unknowns))));
+  }
+  std::size_t number_of_points(const Interface& face, Points points) const {
+    std::size_t sum = 0;
+    for (const Segment& s : face.edges)
+      sum += number_of_points(s, face) + (points == Points::between);
+    return sum;
   }
 
-  const std::vector<Quadrature_node>& nodes(int m) {
-    std::vector<Quadrature_node>& rule = rules_[m];
-    if (rule.empty())
-      rule = gauss_legendre(m);
-    return rule;
+  // on an edge, in [0,1]
+  std::vector<double> parameters(std::size_t m, Points points) const {
+    std::vector<double> result;
+    for (const Quadrature_node& node : rules_[m])
+      result.push_back(node.t);
+    if (points == Points::between) {
+      result.push_back(1);
+      double previous = -result.front();
+      for (double& t : result)
+        t = (std::exchange(previous, t) + t) / 2;
+      result.back() = 1;
+    }
+    return result;
   }
 
-  // the value and the scaled normal derivative on one side, with opposite signs on the two
-  void add_equations(Interface& face, std::size_t row, int side, const Complex& z,
-                     const Complex& normal) {
-    const Cell& cell = cells_[face.cell[side]];
-    const double sign = side == 0 ? 1 : -1;
+  static void add_vertices(const Cell& cell, const Complex& z, std::vector<std::size_t>& vertices) {
+    std::array<Hat_term<0>, max_hat_terms> terms;
+    const std::size_t count = hats<0>(cell, z, terms.data());
+    for (std::size_t k = 0; k < count; ++k)
+      if (std::find(vertices.begin(), vertices.end(), terms[k].vertex) == vertices.end())
+        vertices.push_back(terms[k].vertex);
+  }
+
+  // the value and the scaled normal derivative on one side; the signs differ on the two
+  static void add_equations(const Cell& cell, double sign, const Complex& z, const Complex& normal,
+                            Index row, Matrix& rows, std::vector<Analytic<1>>& f,
+                            Interface_equations& equations) {
     // d_n Re F = Re (F' n)
-    basis_.resize(size(cell));
-    basis<1>(cell, z, basis_.data());
-    for (std::size_t j = 0; j < basis_.size(); ++j) {
-      face.rows[side](row, j) = sign * basis_[j][0].real();
-      face.rows[side](row + 1, j) = sign * product(basis_[j][1], normal).real();
+    f.resize(static_cast<std::size_t>(size(cell)));
+    basis<1>(cell, z, f.data());
+    for (std::size_t j = 0; j < f.size(); ++j) {
+      rows(row, static_cast<Index>(j)) = sign * f[j][0].real();
+      rows(row + 1, static_cast<Index>(j)) = sign * product(f[j][1], normal).real();
     }
     std::array<Hat_term<1>, max_hat_terms> terms;
     const std::size_t count = hats<1>(cell, z, terms.data());
     for (std::size_t k = 0; k < count; ++k) {
-      face.rhs(row, terms[k].vertex) -= sign * terms[k].f[0].real();
-      face.rhs(row + 1, terms[k].vertex) -= sign * product(terms[k].f[1], normal).real();
+      const std::vector<std::size_t>& v = equations.vertices;
+      const Index column = std::find(v.begin(), v.end(), terms[k].vertex) - v.begin();
+      equations.rhs(row, column) -= sign * terms[k].f[0].real();
+      equations.rhs(row + 1, column) -= sign * product(terms[k].f[1], normal).real();
     }
   }
 
   const std::vector<Cell>& cells_;
-  std::size_t number_of_vertices_;
   double oversampling_;
-  std::map<int, std::vector<Quadrature_node>> rules_;
-  std::vector<Analytic<1>> basis_;
+  std::vector<std::vector<Quadrature_node>> rules_; // by the number of points
 };
 
 } // namespace harmonic

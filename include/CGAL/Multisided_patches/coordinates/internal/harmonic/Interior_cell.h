@@ -25,16 +25,18 @@ public:
   // how fast the basis oscillates: radians per unit of length
   double resolution() const { return degree_ / radius_; }
 
-  template <int Order>
-  void basis(const Complex& z, Analytic<Order>* f) const {
-    const Complex zeta = (z - centre_) / radius_;
-    f[0] = {Complex(1)};
-    std::array<Complex, 3> power{1, 0, 0}; // zeta^j, zeta^{j-1}, zeta^{j-2}
+  template <int Order, typename Real>
+  void basis(const std::complex<Real>& z, Analytic<Order, Real>* f) const {
+    using Number = std::complex<Real>;
+    const Real radius = radius_;
+    const Number zeta = (z - Number(centre_)) / radius;
+    f[0] = {Number(1)};
+    std::array<Number, 3> power{1, 0, 0}; // zeta^j, zeta^{j-1}, zeta^{j-2}
     for (int j = 1; j <= degree_; ++j) {
       power = {product(power[0], zeta), power[0], power[1]};
-      Analytic<Order>&re = f[2 * j - 1], &im = f[2 * j];
-      double factor = 1;
-      for (int k = 0; k <= Order; factor *= (j - k) / radius_, ++k) {
+      Analytic<Order, Real>&re = f[2 * j - 1], &im = f[2 * j];
+      Real factor = 1;
+      for (int k = 0; k <= Order; factor *= (j - k) / radius, ++k) {
         re[k] = factor * power[k];
         im[k] = -minus_i_times(re[k]);
       }
@@ -42,8 +44,8 @@ public:
   }
 
   // No side, no boundary values.
-  template <int Order>
-  std::size_t hats(const Complex&, Hat_term<Order>*) const {
+  template <int Order, typename Real>
+  std::size_t hats(const std::complex<Real>&, Hat_term<Order, Real>*) const {
     return 0;
   }
 

@@ -32,28 +32,33 @@ public:
   int size() const { return degree_; }
   double resolution() const { return degree_ * std::abs(to_local_); }
 
-  template <int Order>
-  void basis(const Complex& z, Analytic<Order>* f) const {
-    const Complex zeta = product(z - centre_, to_local_);
-    std::array<Complex, 3> power{Complex(0, -1), 0, 0}; // -i times zeta^j, zeta^{j-1}, zeta^{j-2}
+  template <int Order, typename Real>
+  void basis(const std::complex<Real>& z, Analytic<Order, Real>* f) const {
+    using Number = std::complex<Real>;
+    const Number to_local(to_local_), zeta = product(z - Number(centre_), to_local);
+    std::array<Number, 3> power{Number(0, -1), 0, 0}; // -i times zeta^j, zeta^{j-1}, zeta^{j-2}
     for (int j = 1; j <= degree_; ++j) {
       power = {product(power[0], zeta), power[0], power[1]};
       f[j - 1][0] = power[0];
       if constexpr (Order >= 1)
-        f[j - 1][1] = product(double(j) * to_local_, power[1]);
+        f[j - 1][1] = product(Real(j) * to_local, power[1]);
       if constexpr (Order >= 2)
-        f[j - 1][2] = product(double(j * (j - 1)) * product(to_local_, to_local_), power[2]);
+        f[j - 1][2] = product(Real(j * (j - 1)) * product(to_local, to_local), power[2]);
     }
   }
 
-  template <int Order>
-  std::size_t hats(const Complex& z, Hat_term<Order>* terms) const {
+  template <int Order, typename Real>
+  std::size_t hats(const std::complex<Real>& z, Hat_term<Order, Real>* terms) const {
+    using Number = std::complex<Real>;
     // F = the parameter along the side, continued to complex z
-    Analytic<Order> rising{centre_parameter_ + parameter_slope_ * product(z - centre_, to_local_)};
+    const Real slope = parameter_slope_;
+    const Number to_local(to_local_);
+    Analytic<Order, Real> rising{Real(centre_parameter_) +
+                                 slope * product(z - Number(centre_), to_local)};
     if constexpr (Order >= 1)
-      rising[1] = parameter_slope_ * to_local_;
-    const Analytic<Order> one{Complex(1)};
-    terms[0] = {source_, combination<Order>(1, one, -1, rising)};
+      rising[1] = slope * to_local;
+    const Analytic<Order, Real> one{Number(1)};
+    terms[0] = {source_, combination<Order, Real>(1, one, -1, rising)};
     terms[1] = {target_, rising};
     return 2;
   }

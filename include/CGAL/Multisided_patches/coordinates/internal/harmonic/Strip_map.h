@@ -42,17 +42,26 @@ public:
   double lambda() const { return lambda_; }
   const Complex& inverse_direction() const { return inverse_direction_; }
 
-  Complex local(const Complex& z) const { return product(z - origin_, inverse_direction_); }
+  template <typename Real>
+  std::complex<Real> local(const std::complex<Real>& z) const {
+    return product(z - std::complex<Real>(origin_), std::complex<Real>(inverse_direction_));
+  }
 
   // W as a function of x
-  Complex image(const Complex& x) const { return product(lambda_ * x, log1p_ratio(kappa_ * x)); }
+  template <typename Real>
+  std::complex<Real> image(const std::complex<Real>& x) const {
+    return product(Real(lambda_) * x, log1p_ratio(Real(kappa_) * x));
+  }
   // dW/dz
-  Complex derivative(const Complex& x) const {
-    return lambda_ * inverse_direction_ / (1. + kappa_ * x);
+  template <typename Real>
+  std::complex<Real> derivative(const std::complex<Real>& x) const {
+    return Real(lambda_) * std::complex<Real>(inverse_direction_) / (Real(1) + Real(kappa_) * x);
   }
 
   // the abscissa x of the point of e1 with Re W = s
-  double abscissa(double s) const { return s / lambda_ * expm1_ratio(beta_ * s / pi).real(); }
+  double abscissa(double s) const {
+    return s / lambda_ * expm1_ratio(Complex(beta_ * s / pi)).real();
+  }
 
   // the range of Re W on a segment inside the wedge: circles about the apex are its level lines
   Interval range(const Segment& segment) const {

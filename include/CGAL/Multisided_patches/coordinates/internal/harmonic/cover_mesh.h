@@ -138,7 +138,9 @@ private:
     double radius = 0;
     for (const std::size_t t : triangles)
       radius = (std::max)(radius, farthest(mesh_.corners(t), c.centre));
-    const double terms = finder_.decay() / std::log(c.radius / radius);
+    // On a side the true radius is rarely larger than ours, as its ends are singular points.
+    const double safety = c.kind == Candidate::Kind::side ? 1.2 : 1;
+    const double terms = safety * finder_.decay() / std::log(c.radius / radius);
     const int degree = (std::max)(4, static_cast<int>(std::ceil(terms)));
     switch (c.kind) {
     case Candidate::Kind::corner:
@@ -163,7 +165,7 @@ private:
         range.high = (std::max)(range.high, edge.high);
       }
     const double margin = (std::min)(range.low - channel.free.low, channel.free.high - range.high);
-    const int degree = (std::max)(4, static_cast<int>(std::ceil(1.3 * finder_.decay() / margin)));
+    const int degree = (std::max)(4, static_cast<int>(std::ceil(1.8 * finder_.decay() / margin)));
     return Channel_cell(boundary_, channel.e1, channel.e2, channel.map, channel.origin, range,
                         degree);
   }

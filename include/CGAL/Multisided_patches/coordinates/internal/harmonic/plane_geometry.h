@@ -23,7 +23,8 @@ namespace harmonic {
 using Complex = std::complex<double>;
 
 // The product without the recovery from NaN and infinity that std::complex must offer; it inlines.
-inline Complex product(const Complex& a, const Complex& b) {
+template <typename Real>
+std::complex<Real> product(const std::complex<Real>& a, const std::complex<Real>& b) {
   return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
 }
 

@@ -21,35 +21,36 @@ struct Solution {
   double error;
 };
 
-// The jumps across the interfaces, sampled: of the values, and of the normal derivatives in units
-// of the oscillations of the bases. By Green's representation formula they bound the error of a
-// piecewise harmonic function with exact boundary values.
-inline double largest_jump(const Harmonic_basis& basis, const std::vector<Interface>& interfaces,
-                           const std::vector<Cell>& cells) {
-  const std::size_t stride = basis.stride();
-  std::vector<double> a(3 * stride), b(3 * stride);
-  double jump = 0;
-  for (const Interface& face : interfaces)
-    for (const Segment& s : face.edges) {
-      const double finest = finest_resolution(face, cells);
-      const double oscillations = finest * std::abs(s.b - s.a);
-      const int samples = static_cast<int>((std::min)(200., (std::max)(6., 1.5 * oscillations)));
-      const Complex normal = Complex(0, -1) * (s.b - s.a) / oscillations;
-      for (int i = 0; i <= samples; ++i) {
-        const Complex z = s.a + (double(i) / samples) * (s.b - s.a);
-        basis.evaluate<1>(face.cell[0], z, a.data());
-        basis.evaluate<1>(face.cell[1], z, b.data());
-        for (std::size_t k = 0; k < stride; ++k) {
-          const double value = std::abs(a[k] - b[k]);
-          const Complex gradient(a[k + stride] - b[k + stride],
-                                 a[k + 2 * stride] - b[k + 2 * stride]);
-          const double largest = (std::max)(value, std::abs(dot(gradient, normal)));
-          if (!(largest <= jump)) // NaN counts
-            jump = largest;
+// The jumps across the interfaces, between the points where they were made small: of the values,
+// and of the normal derivatives in units of the oscillations of the bases. By Green's
+// representation formula they bound the error of a piecewise harmonic function with exact boundary
+// values.
+template <typename ConcurrencyTag>
+double largest_jump(const Interface_assembler& assembler, const std::vector<Interface>& interfaces,
+                    const Vertex_blocking& blocking,
+                    const std::vector<Cell_coefficients>& coefficients) {
+  std::vector<double> jumps(interfaces.size());
+  for_each_index<ConcurrencyTag>(
+      interfaces.size(),
+      [&](std::size_t f) {
+        const Interface_equations equations =
+            assembler.assemble(interfaces[f], Interface_assembler::Points::between);
+        std::map<std::size_t, Matrix> defects; // by block of vertices
+        for (const std::size_t vertex : equations.vertices) {
+          const std::size_t block = blocking.block_of(vertex);
+          defects[block] = right_hand_side(equations, blocking, block);
         }
-      }
-    }
-  return jump;
+        for (const std::size_t i : {0, 1})
+          for (const Vertex_block& b : coefficients[interfaces[f].cell[i]])
+            add_product(-1, equations.rows[i], b.coefficients, defects[blocking.block_of(b.first)]);
+        for (const auto& defect : defects) {
+          const double jump = defect.second.cwiseAbs().maxCoeff();
+          jumps[f] = defect.second.allFinite() ? (std::max)(jumps[f], jump)
+                                               : std::numeric_limits<double>::infinity();
+        }
+      },
+      16);
+  return jumps.empty() ? 0 : *std::max_element(jumps.begin(), jumps.end());
 }
 
 // The error from the largest jump. A factor of 4 was on the safe side on all shapes without fine
@@ -65,22 +66,31 @@ inline double error_estimate(double jump, const std::vector<Interface>& interfac
 }
 
 // solves Laplace's equation on the polygon for the hat functions of all vertices. Every cell's
-// local solutions converge by the factor tau.
-inline Solution solve_laplace(const Boundary& boundary, Bisection_mesh mesh, double tau) {
-  const Cover cover = Cover_builder(boundary, tau, mesh).build();
-  std::vector<Interface> interfaces = find_interfaces(mesh, cover.cell_of);
-  Gluing gluing(interfaces, cover.cells);
-  double oversampling = 0.8; // from half to twice as much makes no difference
-  do {
-    Interface_assembler assembler(cover.cells, boundary.size(), oversampling);
-    for (Interface& face : interfaces)
-      assembler.assemble(face);
-    oversampling *= 1.5;
-  } while (!gluing.is_overdetermined());
-  Solution result{Harmonic_basis(cover.cells, gluing.solve(), Cell_locator(mesh, cover.cell_of)),
-                  0};
-  result.error = error_estimate(largest_jump(result.basis, interfaces, cover.cells), interfaces);
-  return result;
+// local solutions converge by the factor tau; the result is meant to have errors of `accuracy`.
+template <typename ConcurrencyTag>
+Solution solve_laplace(const Boundary& boundary, Bisection_mesh mesh, double tau, double accuracy) {
+  Cover cover = Cover_builder(boundary, tau, mesh).build();
+  const std::vector<Interface> interfaces = find_interfaces(mesh, cover.cell_of);
+  const Interface_assembler assembler(cover.cells, interfaces);
+  std::vector<Interface_equations> equations(interfaces.size());
+  for_each_index<ConcurrencyTag>(
+      interfaces.size(),
+      [&](std::size_t f) {
+        equations[f] =
+            assembler.assemble(interfaces[f], Interface_assembler::Points::gauss_legendre);
+      },
+      16);
+  std::vector<Index> sizes;
+  for (const Cell& cell : cover.cells)
+    sizes.push_back(size(cell));
+  const Vertex_blocking blocking(boundary.size());
+  std::vector<Cell_coefficients> coefficients =
+      Gluing<ConcurrencyTag>(interfaces, std::move(equations), std::move(sizes))
+          .solve(blocking, accuracy);
+  const double jump = largest_jump<ConcurrencyTag>(assembler, interfaces, blocking, coefficients);
+  return {Harmonic_basis(std::move(cover.cells), std::move(coefficients), boundary.size(),
+                         Cell_locator(mesh, cover.cell_of)),
+          error_estimate(jump, interfaces)};
 }
 
 } // namespace harmonic

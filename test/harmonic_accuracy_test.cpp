@@ -1,0 +1,143 @@
+// Copyright (c) 2026 The CGAL Multisided Patches project.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "catch.h"
+#include "harmonic_fixtures.h"
+
+using namespace fixtures;
+
+TEST_CASE("The error stays below its bound, and the bound below the target", "[harmonic]") {
+  for (const Harmonic_coordinates_2& fine : on_all_domains(1e-11)) {
+    const Domain& domain = fine.domain();
+    CHECK(fine.error_bound() <= 1e-10);
+    for (const double target : {1e-2, 1e-4, 1e-7, 1e-9}) {
+      const Harmonic_coordinates_2 h(domain, target);
+      CHECK(h.error_bound() <= target);
+      INFO(domain.size() << " sides, the first from " << domain.side(0) << ", target " << target);
+      CHECK(largest_difference(h, fine) <= h.error_bound() + fine.error_bound());
+    }
+  }
+}
+
+// A harmonic function is determined by its boundary values, which are exact, and this property.
+TEST_CASE("The value at a point is the mean over circles around it", "[harmonic]") {
+  for (const Harmonic_coordinates_2& h : on_all_domains(1e-11)) {
+    const Domain& domain = h.domain();
+    for (const Point_2& c : random_points_inside(domain, 10)) {
+      const double radius = 0.8 * distance_to_boundary(domain, c);
+      const int samples = 150; // the trapezoidal rule converges like 0.8^samples
+      std::vector<Jet<0>> mean(domain.size());
+      for (int j = 0; j < samples; ++j) {
+        const double t = 2 * pi * j / samples;
+        const auto lambda =
+            evaluate<0>(h, {c.x() + radius * std::cos(t), c.y() + radius * std::sin(t)});
+        for (std::size_t i = 0; i < domain.size(); ++i)
+          mean[i] += lambda[i] * (1. / samples);
+      }
+      // once for the point, once for the circle; and the trapezoidal rule
+      CHECK(largest_difference(mean, evaluate<0>(h, c)) < 2 * h.error_bound() + 1e-13);
+    }
+  }
+}
+
+namespace {
+
+// coordinate of the reflex corner (1,1) of the L-shape at (0.5,0.5), by the five-point stencil on a
+// grid of m cells a unit and successive over-relaxation
+double five_point_value(int m) {
+  const int size = 2 * m;
+  std::vector<std::vector<double>> u(size + 1, std::vector<double>(size + 1, 0.));
+  for (int i = m; i <= size; ++i)
+    u[i][m] = u[m][i] = 2 - double(i) / m; // the hat on its two sides
+  const auto inside = [&](int i, int j) {
+    return 0 < i && i < size && 0 < j && j < size && (i < m || j < m);
+  };
+  const double factor = 2 / (1 + std::sin(pi / size));
+  for (int sweep = 0; sweep < 12 * m; ++sweep)
+    for (int i = 1; i < size; ++i)
+      for (int j = 1; j < size; ++j)
+        if (inside(i, j))
+          u[i][j] +=
+              factor * ((u[i - 1][j] + u[i + 1][j] + u[i][j - 1] + u[i][j + 1]) / 4 - u[i][j]);
+  return u[m / 2][m / 2];
+}
+
+} // namespace
+
+TEST_CASE("Finite differences converge to the harmonic coordinates", "[harmonic]") {
+  const Harmonic_coordinates_2 h(Domain(l_shape()), 1e-11);
+  const double value = evaluate<0>(h, {0.5, 0.5})[3][0];
+  // The order is 4/3, from the corner of 270 degrees. Extrapolation takes off the leading term.
+  const double coarse = five_point_value(32), fine = five_point_value(64);
+  const double ratio = std::pow(2, 4. / 3);
+  CHECK(std::abs(fine - value) < 0.45 * std::abs(coarse - value));
+  CHECK(std::abs((ratio * fine - coarse) / (ratio - 1) - value) < 3e-5);
+}
+
+TEST_CASE("A thousand random polygons reach eight digits, and their bounds are honest",
+          "[harmonic]") {
+  for (unsigned seed = 1; seed <= 1000; ++seed) {
+    INFO("seed " << seed);
+    Random random(seed);
+    const std::size_t n = random.integer(3, 40);
+    const Domain domain = random_domain(random, n, seed % 4 == 0 ? random.integer(1, 3) : 0);
+    const Harmonic_coordinates_2 h(domain, 1e-8);
+    CHECK(h.error_bound() <= 1e-8);
+    if (seed % 8 != 0)
+      continue;
+    // against an approximation that shares the method, but neither cells nor coefficients
+    const Harmonic_coordinates_2 fine(domain, 1e-10);
+    CHECK(fine.error_bound() <= 1e-10);
+    CHECK(largest_difference(h, fine, 50) <= h.error_bound() + fine.error_bound());
+  }
+}
+
+TEST_CASE("Slivers and tiny sides are resolved", "[harmonic]") {
+  for (const Points& p : {Points{{0, 0}, {1, 0}, {0.4, 1e-6}}, Points{{0, 0}, {1, 0}, {1, 1e-7}},
+                          Points{{0, 0}, {1, 0}, {1, 1e-9}, {0, 1e-9}},
+                          Points{{0, 0}, {1, 0}, {1, 1}, {0.5, 1}, {0.5 - 1e-6, 1}, {0, 1}},
+                          Points{{0, 0}, {1, 0}, {1, 1}, {0.6, 1}, {0.5, 1e-6}, {0.4, 1}, {0, 1}}})
+    CHECK(Harmonic_coordinates_2(Domain(p), 1e-6).error_bound() <= 1e-6);
+}
+
+// Near the tip the domain looks the same at every scale, so the values do, too. A gap of 1e-9 is
+// known to seven digits only, as coordinates have sixteen.
+TEST_CASE("Sides that nearly touch are resolved as far as their coordinates tell", "[harmonic]") {
+  const auto value_below_tip = [](double gap, double target) {
+    const Domain domain({{0, 0}, {1, 0}, {1, 1}, {0.6, 1}, {0.5, gap}, {0.4, 1}, {0, 1}});
+    const Harmonic_coordinates_2 h(domain, target);
+    CHECK(h.error_bound() <= target);
+    return evaluate<0>(h, {0.5, gap / 2})[4][0];
+  };
+  const double limit = value_below_tip(1e-6, 1e-8);
+  CHECK(value_below_tip(1e-3, 1e-8) == Approx(limit).margin(1e-3));
+  CHECK(value_below_tip(1e-9, 1e-5) == Approx(limit).margin(1e-5));
+}
+
+TEST_CASE("Polygons with hundreds of vertices are no different", "[harmonic]") {
+  Random random(5);
+  const Points polygon = star_shaped_polygon(random, 200, 0.6);
+  const Harmonic_coordinates_2 h(Domain(polygon), 1e-6);
+  CHECK(h.error_bound() <= 1e-6);
+  double sum = 0;
+  for (const Jet<0>& lambda : evaluate<0>(h, {0.01, 0.02}))
+    sum += lambda[0];
+  CHECK(sum == Approx(1).margin(1e-14));
+}
+
+TEST_CASE("An accuracy out of reach is refused with what was reached", "[harmonic]") {
+  const Domain domain(l_shape());
+  try {
+    const Harmonic_coordinates_2 h(domain, 1e-30);
+    FAIL("an error of 1e-30 is not possible in double precision");
+  } catch (const MP::Accuracy_error& error) {
+    CHECK(error.reached() < 1e-10);
+    CHECK(error.reached() > 1e-30);
+    using Catch::Matchers::Contains;
+    CHECK_THAT(error.what(), Contains("1e-30") && Contains("reached"));
+  }
+  const Harmonic_coordinates_2 accepted(domain, 1e-30, 1e-10);
+  CHECK(accepted.error_bound() < 1e-10);
+}
