@@ -7,6 +7,7 @@
 #define MULTIPATCH_COMMANDS_H
 
 #include <CGAL/Multisided_patches/domains/make_domain.h>
+#include <CGAL/Multisided_patches/meshing/Domain_mesh_2.h>
 #include <CGAL/Multisided_patches/patches/Concave_bezier_model_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -19,6 +20,8 @@ namespace multipatch {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Model = CGAL::Multisided_patches::Concave_bezier_model_3<Kernel>;
+using Domain = CGAL::Multisided_patches::Polygonal_domain_2<Kernel>;
+using Domain_mesh = CGAL::Multisided_patches::Domain_mesh_2<Kernel>;
 
 enum class Coordinates_choice { harmonic, mean_value, wachspress };
 
@@ -49,6 +52,17 @@ struct Domain_picture_options {
   std::size_t coordinate = 0;
 };
 
+struct Coordinates_options {
+  Patch_options patch; // its input may be a polygon file, too
+  std::string output;
+  std::string at; // a file of points
+  std::optional<std::size_t> samples;
+  std::optional<int> derivatives;
+  std::optional<std::size_t> vertex;
+  std::optional<double> target_error;
+  bool quiet = false;
+};
+
 // Reads the input file and lets the options override what it says.
 Model read_model(const Patch_options& options);
 
@@ -57,13 +71,17 @@ double degrees(double radians);
 // Says on standard error where no surface can meet both ribbons of a corner.
 void warn_of_mismatches(const Model& model);
 
+// Throws if an index that was given with an option is not one of n sides.
+void check_index(std::size_t index, std::size_t n, const std::string& option);
+
 // Prints the remarks of a report, a line each.
 void print_remarks(const CGAL::Multisided_patches::Domain_report& report);
 
-// The three commands. They throw CGAL::Multisided_patches::Error on bad input.
+// The four commands. They throw CGAL::Multisided_patches::Error on bad input.
 void mesh_command(const Mesh_options& options);
 void info_command(const std::string& input);
 void domain_command(const Domain_picture_options& options);
+void coordinates_command(const Coordinates_options& options);
 
 } // namespace multipatch
 

@@ -3,20 +3,17 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "any_coordinates.h"
 #include "commands.h"
+#include "sample_domain.h"
 #include "svg.h"
 
 #include <CGAL/Multisided_patches/IO/internal/file_access.h>
-#include <CGAL/Multisided_patches/coordinates/Harmonic_coordinates_2.h>
-#include <CGAL/Multisided_patches/coordinates/Mean_value_coordinates_2.h>
-#include <CGAL/Multisided_patches/coordinates/Wachspress_coordinates_2.h>
 #include <CGAL/Multisided_patches/domains/make_domain.h>
-#include <CGAL/Multisided_patches/meshing/triangulate_domain.h>
 #include <CGAL/Multisided_patches/parameters/barycentric_side_parameters.h>
 
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 
 namespace multipatch {
 
@@ -24,21 +21,10 @@ namespace MP = CGAL::Multisided_patches;
 
 namespace {
 
-using Domain = MP::Polygonal_domain_2<Kernel>;
-using Domain_mesh = MP::Domain_mesh_2<Kernel>;
-
 // The functions that are drawn, at the vertices of a mesh of the domain.
 struct Samples {
   std::vector<double> s, h, lambda;
 };
-
-Domain_mesh picture_mesh(const Domain& domain) {
-  const double spacing = domain.diameter() / 100;
-  std::vector<std::size_t> segments;
-  for (std::size_t i = 0; i < domain.size(); ++i)
-    segments.push_back(1 + static_cast<std::size_t>(domain.side_length(i) / spacing));
-  return MP::triangulate_domain(domain, segments, spacing);
-}
 
 template <typename Coordinates>
 Samples sample(const Coordinates& coordinates, const Domain_mesh& mesh, double dilation,
@@ -61,28 +47,10 @@ Samples sample(const Coordinates& coordinates, const Domain_mesh& mesh, double d
   return samples;
 }
 
-Samples sample(const Domain& domain, const Domain_mesh& mesh, double dilation,
-               const Domain_picture_options& options) {
-  switch (options.patch.coordinates) {
-  case Coordinates_choice::mean_value:
-    return sample(MP::Mean_value_coordinates_2<Kernel>(domain), mesh, dilation, options);
-  case Coordinates_choice::wachspress:
-    return sample(MP::Wachspress_coordinates_2<Kernel>(domain), mesh, dilation, options);
-  default:
-    return sample(MP::Harmonic_coordinates_2<Kernel>(domain), mesh, dilation, options);
-  }
-}
-
-void check_index(std::size_t index, std::size_t n, const std::string& option) {
-  if (index >= n)
-    throw MP::Input_error(option + " must be less than " + std::to_string(n) +
-                          ", the number of sides, not " + std::to_string(index));
-}
-
 } // namespace
 
 void domain_command(const Domain_picture_options& options) {
-  if (std::filesystem::path(options.output).extension() != ".svg")
+  if (MP::internal::file_extension(options.output) != ".svg")
     throw MP::Input_error(options.output + ": expected a name that ends in .svg");
   const Model model = read_model(options.patch);
   check_index(options.side, model.loop.size(), "--side");
@@ -91,16 +59,19 @@ void domain_command(const Domain_picture_options& options) {
   MP::internal::check_writable(options.output);
 
   const auto [domain, report] = MP::make_domain(model.loop, model.domain);
-  const Domain_mesh mesh = picture_mesh(domain);
-  const Samples samples = sample(domain, mesh, model.parameter_dilation, options);
+  const Domain_mesh mesh = sample_domain(domain, picture_points);
+  const Samples samples =
+      std::visit([&](const auto& c) { return sample(c, mesh, model.parameter_dilation, options); },
+                 make_coordinates(options.patch.coordinates, domain));
 
   MP::internal::Atomic_file file(options.output);
   std::ostream& out = file.stream();
-  constexpr double step = 0.1;
-  begin_svg(out, 3);
+  const std::vector<double> levels = multiples(0.1, -20, 20);
+  begin_svg(out, domain, 3);
 
   Svg_panel shape(out, domain, 0);
   shape.title(std::string(to_string(report.used)) + " domain: blue convex, red reflex corners");
+  shape.area();
   shape.outline();
   shape.corners();
   shape.side_numbers();
@@ -108,16 +79,18 @@ void domain_command(const Domain_picture_options& options) {
   Svg_panel parameters(out, domain, 1);
   parameters.title("side " + std::to_string(options.side) +
                    ": s (green, where defined), h (orange)");
+  parameters.area();
+  parameters.isolines(mesh, samples.s, levels, "#2a8f4d");
+  parameters.isolines(mesh, samples.h, levels, "#d98218");
   parameters.outline();
-  parameters.isolines(mesh, samples.s, step, "#2a8f4d");
-  parameters.isolines(mesh, samples.h, step, "#d98218");
   parameters.side(options.side, "black");
 
   Svg_panel coordinate(out, domain, 2);
   coordinate.title(std::string(to_string(options.patch.coordinates)) + " coordinate of vertex " +
                    std::to_string(options.coordinate) + ", step 0.1");
+  coordinate.area();
+  coordinate.isolines(mesh, samples.lambda, levels, "#7a3fa0");
   coordinate.outline();
-  coordinate.isolines(mesh, samples.lambda, step, "#7a3fa0");
   coordinate.corners();
   end_svg(out);
   file.commit();

@@ -6,6 +6,7 @@
 #include "commands.h"
 
 #include <CGAL/Multisided_patches/IO/CGB.h>
+#include <CGAL/Multisided_patches/IO/polygon_file.h>
 #include <CGAL/Multisided_patches/meshing/Mesh_density.h>
 
 #include <CLI/CLI.hpp>
@@ -23,7 +24,7 @@ namespace {
 namespace MP = CGAL::Multisided_patches;
 using namespace multipatch;
 
-void add_patch_options(CLI::App& command, Patch_options& options) {
+void add_domain_options(CLI::App& command, Patch_options& options, const std::string& input) {
   static const std::map<std::string, MP::Domain_generator> domains{
       {"automatic", MP::Domain_generator::automatic},
       {"projected", MP::Domain_generator::projected},
@@ -35,13 +36,7 @@ void add_patch_options(CLI::App& command, Patch_options& options) {
       {"harmonic", Coordinates_choice::harmonic},
       {"mean-value", Coordinates_choice::mean_value},
       {"wachspress", Coordinates_choice::wachspress}};
-  static const std::map<std::string, MP::Central_weight> central_weights{
-      {"weight-deficiency", MP::Central_weight::weight_deficiency},
-      {"none", MP::Central_weight::none},
-      {"adjacent-products", MP::Central_weight::adjacent_products},
-      {"full-product", MP::Central_weight::full_product}};
-
-  command.add_option("INPUT", options.input, "the patch, a .cgb file")->required();
+  command.add_option("INPUT", options.input, input)->required();
   command
       .add_option("--domain", options.domain,
                   "how to make the planar domain (default: as the file says):\n"
@@ -62,6 +57,16 @@ void add_patch_options(CLI::App& command, Patch_options& options) {
       ->transform(CLI::Transformer(coordinates).description(""))
       ->transform(CLI::IsMember(coordinates).description(""))
       ->type_name("NAME");
+}
+
+void add_patch_options(CLI::App& command, Patch_options& options) {
+  static const std::map<std::string, MP::Central_weight> central_weights{
+      {"weight-deficiency", MP::Central_weight::weight_deficiency},
+      {"none", MP::Central_weight::none},
+      {"adjacent-products", MP::Central_weight::adjacent_products},
+      {"full-product", MP::Central_weight::full_product}};
+
+  add_domain_options(command, options, "the patch, a .cgb file");
   command
       .add_option("--central-weight", options.central_weight,
                   "weight of the central control point (default: as the file says):\n"
@@ -124,6 +129,51 @@ void add_domain_command(CLI::App& app, Domain_picture_options& options) {
   command.callback([&options] { domain_command(options); });
 }
 
+void add_coordinates_command(CLI::App& app, Coordinates_options& options) {
+  constexpr std::size_t max_samples = 1'000'000;
+  CLI::App& command = *app.add_subcommand(
+      "coordinates", "draw or tabulate barycentric coordinates on the domain of "
+                     "a patch,\nor on any polygon");
+  add_domain_options(command, options.patch,
+                     "a patch, a .cgb file; or a polygon: two numbers a line, blank\n"
+                     "lines between the outer loop and the holes");
+  command
+      .add_option("-o,--output", options.output,
+                  "the picture or the table to write; the name ends in .svg or .csv")
+      ->required()
+      ->type_name("FILE");
+  command
+      .add_option("--target-error", options.target_error,
+                  "wanted error of harmonic coordinates (default: 1e-8)")
+      ->type_name("X");
+  command
+      .add_option("--vertex", options.vertex,
+                  "draw the coordinate of this vertex only (default: the first 12)")
+      ->check(
+          CLI::Range(std::size_t{0}, MP::IO::Polygon_file_limits::max_vertices - 1).description(""))
+      ->type_name("I");
+  auto* samples =
+      command
+          .add_option("--samples", options.samples,
+                      "about how many points the table has, the vertices and points on the\n"
+                      "sides among them (default: 1000)")
+          ->check(CLI::Range(std::size_t{1}, max_samples).description(""))
+          ->type_name("N");
+  command
+      .add_option("--at", options.at,
+                  "tabulate at the points of this file, two numbers a line; those outside\n"
+                  "the domain have nan for coordinates")
+      ->type_name("FILE")
+      ->excludes(samples);
+  command
+      .add_option("--derivatives", options.derivatives,
+                  "tabulate derivatives up to this order, too: 0 (default), 1 or 2")
+      ->check(CLI::Range(0, 2).description(""))
+      ->type_name("N");
+  command.add_flag("-q,--quiet", options.quiet, "print nothing but errors");
+  command.callback([&options] { coordinates_command(options); });
+}
+
 int report_error(const std::string& message) {
   std::cerr << "multipatch: " << message << '\n';
   return failure;
@@ -145,9 +195,11 @@ int main(int argc, char* argv[]) {
   Mesh_options mesh;
   std::string info_input;
   Domain_picture_options domain;
+  Coordinates_options coordinates;
   add_mesh_command(app, mesh);
   add_info_command(app, info_input);
   add_domain_command(app, domain);
+  add_coordinates_command(app, coordinates);
 
   try {
     app.parse(argc, argv);

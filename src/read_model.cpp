@@ -48,6 +48,13 @@ void warn_of_mismatches(const Model& model) {
   }
 }
 
+void check_index(std::size_t index, std::size_t n, const std::string& option) {
+  if (index >= n)
+    throw CGAL::Multisided_patches::Input_error(option + " must be less than " + std::to_string(n) +
+                                                ", the number of sides, not " +
+                                                std::to_string(index));
+}
+
 void print_remarks(const CGAL::Multisided_patches::Domain_report& report) {
   for (const auto& remark : report.remarks)
     std::printf("  domain %s: %s\n", to_string(remark.generator), remark.reason.c_str());

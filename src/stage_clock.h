@@ -27,7 +27,7 @@ public:
   Stage_clock(const Stage_clock&) = delete;
   Stage_clock& operator=(const Stage_clock&) = delete;
 
-  // Runs f, and keeps its time under `name`; returns what f returns.
+  // Runs f, and adds its time to that of `name`; returns what f returns.
   template <typename Function>
   auto run(const std::string& name, const Function& f) {
     if (show_)
@@ -36,8 +36,15 @@ public:
     return f();
   }
 
-  // Seconds by stage, in the order in which the stages were run.
+  // Seconds by stage, in the order in which the stages were first run.
   const std::vector<std::pair<std::string, double>>& seconds() const { return seconds_; }
+  // Those of one stage, 0 if it was never run.
+  double seconds(const std::string& name) const {
+    for (const auto& [stage, time] : seconds_)
+      if (stage == name)
+        return time;
+    return 0;
+  }
 
 private:
   using Clock = std::chrono::steady_clock;
@@ -45,11 +52,17 @@ private:
     Stage_clock& owner;
     std::string name;
     Clock::time_point start;
-    ~Timer() {
-      owner.seconds_.emplace_back(name,
-                                  std::chrono::duration<double>(Clock::now() - start).count());
-    }
+    ~Timer() { owner.add(name, std::chrono::duration<double>(Clock::now() - start).count()); }
   };
+
+  void add(const std::string& name, double time) {
+    for (auto& [stage, sum] : seconds_)
+      if (stage == name) {
+        sum += time;
+        return;
+      }
+    seconds_.emplace_back(name, time);
+  }
 
   bool show_;
   std::vector<std::pair<std::string, double>> seconds_;

@@ -28,9 +28,16 @@ const char* corner_color(MP::Corner_type type) {
 
 } // namespace
 
-void begin_svg(std::ostream& out, std::size_t panels) {
-  const double width = static_cast<double>(panels) * Svg_panel::size;
-  const double height = Svg_panel::size + Svg_panel::title_height;
+std::vector<double> multiples(double step, int first, int last) {
+  std::vector<double> levels;
+  for (int k = first; k <= last; ++k)
+    levels.push_back(k * step);
+  return levels;
+}
+
+void begin_svg(std::ostream& out, const Domain& domain, std::size_t columns, std::size_t rows) {
+  const double width = static_cast<double>(columns) * Svg_panel::width;
+  const double height = static_cast<double>(rows) * Svg_panel::height(domain);
   out << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << width << "\" height=\"" << height
       << "\" viewBox=\"0 0 " << width << ' ' << height
       << "\" font-family=\"sans-serif\" font-size=\"13\">\n"
@@ -41,19 +48,29 @@ void end_svg(std::ostream& out) {
   out << "</svg>\n";
 }
 
-Svg_panel::Svg_panel(std::ostream& out, const Domain& domain, std::size_t index)
-    : out_(out), domain_(domain), left_(static_cast<double>(index) * size) {
+Svg_panel::Svg_panel(std::ostream& out, const Domain& domain, std::size_t column, std::size_t row)
+    : out_(out), domain_(domain), scale_(scale(domain)) {
   const CGAL::Bbox_2 box = domain.bbox();
-  const double width = box.xmax() - box.xmin(), height = box.ymax() - box.ymin();
-  scale_ = (size - 2 * margin) / (std::max)(width, height);
+  left_ = static_cast<double>(column) * width;
+  top_ = static_cast<double>(row) * height(domain);
   u_ = (box.xmin() + box.xmax()) / 2;
-  v_ = (box.ymin() + box.ymax()) / 2;
+  v_ = box.ymax();
+}
+
+double Svg_panel::scale(const Domain& domain) {
+  const CGAL::Bbox_2 box = domain.bbox();
+  return (width - 2 * margin) / (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
+}
+
+double Svg_panel::height(const Domain& domain) {
+  const CGAL::Bbox_2 box = domain.bbox();
+  return std::ceil(title_height + 2 * margin + scale(domain) * (box.ymax() - box.ymin()));
 }
 
 Svg_panel::Pixel Svg_panel::pixel(double u, double v) const {
   const auto round = [](double x) { return std::round(100 * x) / 100; };
-  return {round(left_ + size / 2 + scale_ * (u - u_)),
-          round(title_height + size / 2 - scale_ * (v - v_))};
+  return {round(left_ + width / 2 + scale_ * (u - u_)),
+          round(top_ + title_height + margin + scale_ * (v_ - v))};
 }
 
 Svg_panel::Pixel Svg_panel::beside(const Kernel::Point_2& at, const Kernel::Vector_2& direction,
@@ -69,16 +86,29 @@ void Svg_panel::text(const Pixel& at, const std::string& color, const std::strin
 }
 
 void Svg_panel::title(const std::string& text) {
-  this->text({left_ + size / 2, title_height / 2 + 4}, "black", text);
+  this->text({left_ + width / 2, top_ + title_height / 2 + 4}, "black", text);
+}
+
+void Svg_panel::loops(const std::string& style) {
+  out_ << "<path " << style << " d=\"";
+  for (std::size_t loop = 0; loop < domain_.number_of_loops(); ++loop) {
+    const char* pen = "M";
+    for (std::size_t i = domain_.loop_begin(loop); i < domain_.loop_begin(loop + 1); ++i) {
+      const Pixel at = pixel(domain_.vertex(i));
+      out_ << pen << at[0] << ' ' << at[1];
+      pen = "L";
+    }
+    out_ << 'Z';
+  }
+  out_ << "\"/>\n";
+}
+
+void Svg_panel::area() {
+  loops("fill=\"#f3f6fa\" fill-rule=\"evenodd\"");
 }
 
 void Svg_panel::outline() {
-  out_ << "<polygon fill=\"#f3f6fa\" stroke=\"black\" stroke-width=\"1.5\" points=\"";
-  for (const auto& p : domain_.vertices()) {
-    const Pixel at = pixel(p);
-    out_ << at[0] << ',' << at[1] << ' ';
-  }
-  out_ << "\"/>\n";
+  loops("fill=\"none\" stroke=\"black\" stroke-width=\"1.5\"");
 }
 
 void Svg_panel::side(std::size_t i, const std::string& color) {
@@ -87,18 +117,27 @@ void Svg_panel::side(std::size_t i, const std::string& color) {
        << "\" stroke=\"" << color << "\" stroke-width=\"4\"/>\n";
 }
 
-void Svg_panel::corners() {
-  for (std::size_t i = 0; i < domain_.size(); ++i) {
+void Svg_panel::disc(std::size_t i, double radius, const std::string& color) {
+  const Pixel at = pixel(domain_.vertex(i));
+  out_ << "<circle cx=\"" << at[0] << "\" cy=\"" << at[1] << "\" r=\"" << radius << "\" fill=\""
+       << color << "\"/>\n";
+}
+
+void Svg_panel::vertex(std::size_t i) {
+  disc(i, 7, "black");
+}
+
+void Svg_panel::corners(const std::vector<std::size_t>& vertices) {
+  for (std::size_t k = 0; k < domain_.size(); ++k) {
+    const std::size_t i = vertices.empty() ? k : vertices[k];
     const auto& p = domain_.vertex(i);
     const std::string color = corner_color(domain_.corner_type(i));
-    const Pixel at = pixel(p);
-    out_ << "<circle cx=\"" << at[0] << "\" cy=\"" << at[1] << "\" r=\"5\" fill=\"" << color
-         << "\"/>\n";
+    disc(i, 5, color);
     // Along the sum of the unit vectors of both sides, to its right.
     const auto unit = [](const Kernel::Vector_2& d) { return d / std::hypot(d.x(), d.y()); };
     const auto direction =
         unit(p - domain_.vertex(domain_.prev(i))) + unit(domain_.vertex(domain_.next(i)) - p);
-    text(beside(p, direction, 16), color, std::to_string(i));
+    text(beside(p, direction, 16), color, std::to_string(k));
   }
 }
 
@@ -109,29 +148,32 @@ void Svg_panel::side_numbers() {
   }
 }
 
-void Svg_panel::isolines(const Domain_mesh& mesh, const std::vector<double>& values, double step,
-                         const std::string& color) {
+void Svg_panel::isolines(const Domain_mesh& mesh, const std::vector<double>& values,
+                         const std::vector<double>& levels, const std::string& color) {
   out_ << "<path fill=\"none\" stroke=\"" << color << "\" stroke-width=\"1\" d=\"";
   for (const auto& t : mesh.triangles) {
     if (std::isnan(values[t[0]] + values[t[1]] + values[t[2]]))
       continue;
     const auto [low, high] = std::minmax({values[t[0]], values[t[1]], values[t[2]]});
-    for (double k = std::ceil(low / step); k * step < high; ++k) {
-      const double level = k * step;
-      const char* pen = "M";
-      for (std::size_t e = 0; e < 3; ++e) {
-        const std::size_t a = t[e], b = t[(e + 1) % 3];
-        if ((values[a] < level) == (values[b] < level))
-          continue;
-        const double x = (level - values[a]) / (values[b] - values[a]);
-        const auto p = mesh.points[a] + x * (mesh.points[b] - mesh.points[a]);
-        const Pixel at = pixel(p);
-        out_ << pen << at[0] << ' ' << at[1];
-        pen = "L";
-      }
-    }
+    for (auto level = std::upper_bound(levels.begin(), levels.end(), low);
+         level != levels.end() && *level <= high; ++level)
+      isoline(mesh, values, t, *level);
   }
   out_ << "\"/>\n";
+}
+
+void Svg_panel::isoline(const Domain_mesh& mesh, const std::vector<double>& values,
+                        const std::array<std::size_t, 3>& triangle, double level) {
+  const char* pen = "M";
+  for (std::size_t e = 0; e < 3; ++e) {
+    const std::size_t a = triangle[e], b = triangle[(e + 1) % 3];
+    if ((values[a] < level) == (values[b] < level))
+      continue;
+    const double x = (level - values[a]) / (values[b] - values[a]);
+    const Pixel at = pixel(mesh.points[a] + x * (mesh.points[b] - mesh.points[a]));
+    out_ << pen << at[0] << ' ' << at[1];
+    pen = "L";
+  }
 }
 
 } // namespace multipatch

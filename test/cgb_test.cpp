@@ -80,19 +80,8 @@ std::string written(const Model& model) {
   return out.str();
 }
 
-// The message of the error that reading a text throws, which is short and printable whatever the
-// text is.
 std::string error_of(const std::string& text) {
-  try {
-    read(text);
-  } catch (const MP::Input_error& error) {
-    const std::string message = error.what();
-    CHECK(message.size() < 200);
-    for (const char c : message)
-      CHECK((c >= 32 && c < 127));
-    return message;
-  }
-  return "no error";
+  return input_error_of([&] { read(text); });
 }
 
 // All that a model says, so that two models are the same if and only if these are.

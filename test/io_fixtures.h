@@ -6,6 +6,10 @@
 #ifndef MULTISIDED_PATCHES_TEST_IO_FIXTURES_H
 #define MULTISIDED_PATCHES_TEST_IO_FIXTURES_H
 
+#include "catch.h"
+
+#include <CGAL/Multisided_patches/errors.h>
+
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -50,6 +54,22 @@ private:
 inline std::string contents(const std::string& file_name) {
   std::ifstream in(file_name, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
+}
+
+// The message of the error that reading bad data throws, which is short and printable whatever the
+// data are.
+template <typename Function>
+std::string input_error_of(const Function& read) {
+  try {
+    read();
+  } catch (const CGAL::Multisided_patches::Input_error& error) {
+    const std::string message = error.what();
+    CHECK(message.size() < 200);
+    for (const char c : message)
+      CHECK((c >= 32 && c < 127));
+    return message;
+  }
+  return "no error";
 }
 
 // Numbers as a country may write them: 1.234.567,8

@@ -6,91 +6,20 @@
 // Runs the program as a user does. POSIX only.
 
 #include "catch.h"
+#include "program_fixtures.h"
 
 #include <algorithm>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include <sys/wait.h>
-
+using namespace program_fixtures;
 using Catch::Matchers::Contains;
 using Catch::Matchers::EndsWith;
 using Catch::Matchers::StartsWith;
 
 namespace {
-
-namespace fs = std::filesystem;
-
-std::string contents(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-struct Result {
-  int status; // what the program returned, -1 if it did not end by itself
-  std::string out, err;
-};
-
-// An empty directory for one test, in which the program runs.
-class Scratch {
-public:
-  explicit Scratch(const std::string& name) : path_(fs::path(PROGRAM_TEST_DIR) / name) {
-    fs::remove_all(path_);
-    fs::create_directories(path_ / "work");
-  }
-
-  fs::path operator/(const std::string& name) const { return path_ / "work" / name; }
-  void write(const std::string& name, const std::string& text) const {
-    std::ofstream(*this / name, std::ios::binary) << text;
-  }
-  std::set<std::string> files() const {
-    std::set<std::string> names;
-    for (const auto& entry : fs::directory_iterator(path_ / "work"))
-      names.insert(entry.path().filename().string());
-    return names;
-  }
-
-  // The limit, in seconds, turns an endless loop into a failure.
-  Result run(const std::string& arguments) const {
-    const std::string command = "cd '" + (path_ / "work").string() + "' && ulimit -t 100 && '" +
-                                PROGRAM + "' " + arguments + " >../out 2>../err </dev/null";
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(path_ / "out"),
-            contents(path_ / "err")};
-  }
-
-  // Runs it and expects success without complaints.
-  std::string run_well(const std::string& arguments) const {
-    const Result result = run(arguments);
-    INFO(arguments);
-    CHECK(result.status == 0);
-    CHECK(result.err.empty());
-    return result.out;
-  }
-
-private:
-  fs::path path_;
-};
-
-struct Example {
-  std::string name, argument; // the second as the shell wants it
-};
-
-std::vector<Example> examples() {
-  std::vector<Example> result;
-  for (const auto& entry : fs::directory_iterator(MODELS_DIR))
-    if (entry.path().extension() == ".cgb")
-      result.push_back({entry.path().stem().string(), "'" + entry.path().string() + "'"});
-  std::sort(result.begin(), result.end(),
-            [](const Example& a, const Example& b) { return a.name < b.name; });
-  REQUIRE(result.size() >= 10);
-  return result;
-}
 
 // What follows `"key": ` in a JSON text, as a number.
 double number(const std::string& json, const std::string& key) {
@@ -195,7 +124,7 @@ TEST_CASE("Domain draws every example") {
     CHECK_THAT(work.run_well("domain " + example.argument + " -o a.svg --side 2 --coordinate 1"),
                StartsWith("a.svg: domain ") && Contains("clearance"));
     CHECK_THAT(contents(work / "a.svg"), StartsWith("<svg ") && EndsWith("</svg>\n") &&
-                                             Contains("<polygon ") && !Contains("nan") &&
+                                             Contains("<path ") && !Contains("nan") &&
                                              !Contains("inf"));
   }
 }
@@ -203,12 +132,13 @@ TEST_CASE("Domain draws every example") {
 TEST_CASE("Help and version go to standard output") {
   const Scratch work("help");
   CHECK_THAT(work.run_well("--version"), StartsWith("multipatch "));
-  CHECK_THAT(work.run_well("--help"),
-             Contains("Usage: ") && Contains("mesh") && Contains("info") && Contains("domain"));
+  CHECK_THAT(work.run_well("--help"), Contains("Usage: ") && Contains("mesh") && Contains("info") &&
+                                          Contains("domain") && Contains("coordinates"));
   CHECK_THAT(work.run_well("mesh --help"), Contains("Usage: ") && Contains("--triangles") &&
                                                Contains("--edge-length") && Contains("--report"));
   CHECK_THAT(work.run_well("info --help"), Contains("Usage: "));
   CHECK_THAT(work.run_well("domain --help"), Contains("Usage: ") && Contains("--coordinate"));
+  CHECK_THAT(work.run_well("coordinates --help"), Contains("Usage: ") && Contains("--samples"));
 }
 
 TEST_CASE("What goes wrong is said in two lines, and leaves no trace") {

@@ -13,6 +13,7 @@
  */
 
 #include <CGAL/Multisided_patches/IO/CGB.h>
+#include <CGAL/Multisided_patches/IO/polygon_file.h>
 #include <CGAL/Multisided_patches/analysis/boundary_deviation.h>
 #include <CGAL/Multisided_patches/analysis/mesh_topology.h>
 #include <CGAL/Multisided_patches/coordinates/Harmonic_coordinates_2.h>

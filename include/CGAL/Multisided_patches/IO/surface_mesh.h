@@ -16,8 +16,6 @@
 #include <CGAL/Surface_mesh/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/STL.h>
 
-#include <cctype>
-#include <filesystem>
 #include <ostream>
 #include <string>
 
@@ -36,9 +34,7 @@ enum class Mesh_format {
 //! the format that the extension of a file name stands for. \throws Input_error if it is none of
 //! them
 inline Mesh_format mesh_format(const std::string& file_name) {
-  std::string extension = std::filesystem::path(file_name).extension().string();
-  for (char& c : extension)
-    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string extension = Multisided_patches::internal::file_extension(file_name);
   if (extension == ".ply")
     return Mesh_format::PLY;
   if (extension == ".obj")

@@ -6,14 +6,13 @@
 #ifndef CGAL_MULTISIDED_PATCHES_IO_INTERNAL_TOKEN_READER_H
 #define CGAL_MULTISIDED_PATCHES_IO_INTERNAL_TOKEN_READER_H
 
+#include <CGAL/Multisided_patches/IO/internal/number_token.h>
 #include <CGAL/Multisided_patches/errors.h>
 
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <istream>
 #include <string>
-#include <system_error>
 #include <utility>
 
 namespace CGAL {
@@ -30,7 +29,7 @@ public:
   std::size_t integer(const std::string& what, std::size_t min, std::size_t max) {
     const std::string token = next(what);
     std::size_t value = 0;
-    if (!parse(token, value) || value < min || value > max)
+    if (!parse_number(token, value) || value < min || value > max)
       fail("expected " + what + ", an integer from " + std::to_string(min) + " to " +
            std::to_string(max) + ", found '" + token + "'");
     return value;
@@ -39,7 +38,7 @@ public:
   double number(const std::string& what) {
     const std::string token = next(what);
     double value = 0;
-    if (!parse(token, value) || !std::isfinite(value))
+    if (!parse_number(token, value) || !std::isfinite(value))
       fail("expected " + what + ", a finite number, found '" + token + "'");
     return value;
   }
@@ -56,18 +55,6 @@ public:
   }
 
 private:
-  static constexpr std::size_t max_token_length = 64;
-
-  template <typename Number>
-  static bool parse(const std::string& token, Number& value) {
-    // from_chars knows no plus sign; what follows one must not be a second sign.
-    const bool plus = token.size() > 1 && token[0] == '+' && token[1] != '-';
-    const char* first = token.data() + (plus ? 1 : 0);
-    const char* last = token.data() + token.size();
-    const auto [end, error] = std::from_chars(first, last, value);
-    return error == std::errc() && end == last;
-  }
-
   std::string next(const std::string& what) {
     std::string token = read_token();
     if (token.empty())
@@ -81,18 +68,14 @@ private:
     for (; is_space(c); c = in_.get())
       line_ += c == '\n';
     token_line_ = line_;
-    for (; c != std::char_traits<char>::eof() && !is_space(c); c = in_.get()) {
-      token += c >= 32 && c < 127 ? static_cast<char>(c) : '?';
-      if (token.size() > max_token_length)
-        fail("expected a number, found '" + token.substr(0, 20) + "...'");
-    }
+    for (; c != std::char_traits<char>::eof() && !is_space(c); c = in_.get())
+      if (!append_to_token(token, c))
+        fail("expected a number, found '" + start_of_token(token) + "'");
     line_ += c == '\n';
     if (in_.bad())
       fail("the file cannot be read");
     return token;
   }
-
-  static bool is_space(int c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
   std::istream& in_;
   std::string name_;

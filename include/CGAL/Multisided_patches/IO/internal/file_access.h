@@ -8,6 +8,7 @@
 
 #include <CGAL/Multisided_patches/errors.h>
 
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <locale>
@@ -18,6 +19,14 @@
 namespace CGAL {
 namespace Multisided_patches {
 namespace internal {
+
+// With its dot, and in lower case, as capitals make no difference.
+inline std::string file_extension(const std::string& file_name) {
+  std::string extension = std::filesystem::path(file_name).extension().string();
+  for (char& c : extension)
+    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
+}
 
 inline std::ifstream open_for_reading(const std::string& file_name) {
   std::error_code ignored;

@@ -72,11 +72,20 @@ std::string crossing_sides(const Loops<Traits>& loops, std::size_t loop) {
 
 template <typename Traits>
 void check_simple(const Loops<Traits>& loops, std::size_t loop) {
-  const Traits traits;
-  if (!is_simple_2(loops.begin(loop), loops.end(loop), traits))
+  if (!is_simple_2(loops.begin(loop), loops.end(loop), Traits()))
     throw Input_error(crossing_sides(loops, loop));
+}
+
+// Whether the interior of the domain is on the left of a simple loop.
+template <typename Traits>
+bool is_well_oriented(const Loops<Traits>& loops, std::size_t loop) {
   const Orientation expected = loop == 0 ? COUNTERCLOCKWISE : CLOCKWISE;
-  if (orientation_2(loops.begin(loop), loops.end(loop), traits) != expected)
+  return orientation_2(loops.begin(loop), loops.end(loop), Traits()) == expected;
+}
+
+template <typename Traits>
+void check_orientation(const Loops<Traits>& loops, std::size_t loop) {
+  if (!is_well_oriented(loops, loop))
     throw Input_error(loop == 0 ? "the outer loop of the domain must run counterclockwise"
                                 : "hole " + std::to_string(loop - 1) +
                                       " of the domain must run clockwise");
@@ -102,11 +111,10 @@ void check_apart(const Loops<Traits>& loops, std::size_t k, std::size_t l) {
                       " of the domain lie in each other");
 }
 
+// All that makes loops a polygon with holes but their orientations.
 template <typename Traits>
-void check_polygon_with_holes(const std::vector<typename Traits::Point_2>& vertices,
-                              const std::vector<std::size_t>& begins) {
-  const Loops<Traits> loops{vertices, begins};
-  const std::size_t n = begins.size() - 1;
+void check_unoriented_loops(const Loops<Traits>& loops) {
+  const std::size_t n = loops.begins.size() - 1;
   for (std::size_t k = 0; k < n; ++k) {
     check_vertices(loops, k, k == 0 ? "the outer loop" : "hole " + std::to_string(k - 1));
     check_simple(loops, k);
@@ -114,6 +122,15 @@ void check_polygon_with_holes(const std::vector<typename Traits::Point_2>& verti
   for (std::size_t k = 0; k < n; ++k)
     for (std::size_t l = k + 1; l < n; ++l)
       check_apart(loops, k, l);
+}
+
+template <typename Traits>
+void check_polygon_with_holes(const std::vector<typename Traits::Point_2>& vertices,
+                              const std::vector<std::size_t>& begins) {
+  const Loops<Traits> loops{vertices, begins};
+  check_unoriented_loops(loops);
+  for (std::size_t k = 0; k + 1 < begins.size(); ++k)
+    check_orientation(loops, k);
 }
 
 } // namespace internal

@@ -1,0 +1,44 @@
+// Copyright (c) 2026 The CGAL Multisided Patches project.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "domain_input.h"
+
+#include <CGAL/Multisided_patches/IO/polygon_file.h>
+
+#include <numeric>
+#include <utility>
+
+namespace multipatch {
+
+namespace MP = CGAL::Multisided_patches;
+
+namespace {
+
+Domain_input patch_domain(const Patch_options& options) {
+  const Model model = read_model(options);
+  auto [domain, report] = MP::make_domain(model.loop, model.domain);
+  std::vector<std::size_t> vertices(domain.size());
+  std::iota(vertices.begin(), vertices.end(), std::size_t(0));
+  return {std::move(domain), std::move(vertices), std::move(report)};
+}
+
+Domain_input polygon_domain(const Patch_options& options) {
+  for (const auto& [given, option] : {std::pair(options.domain.has_value(), "--domain"),
+                                      std::pair(options.clearance.has_value(), "--clearance")})
+    if (given)
+      throw MP::Input_error(options.input + ": " + option +
+                            " is for patches, that is, .cgb files; a polygon is taken as it is");
+  auto polygon = MP::IO::read_polygon_file<Kernel>(options.input);
+  return {std::move(polygon.domain), std::move(polygon.vertices), std::nullopt};
+}
+
+} // namespace
+
+Domain_input read_domain(const Patch_options& options) {
+  const bool patch = MP::internal::file_extension(options.input) == ".cgb";
+  return patch ? patch_domain(options) : polygon_domain(options);
+}
+
+} // namespace multipatch
