@@ -33,27 +33,62 @@ void check_finite(double x, const Kernel::Point_2& p) {
         MP::internal::to_short_text(p.y()) + ") are beyond what can be computed");
 }
 
+using Points = std::vector<Kernel::Point_2>;
+using Locations = std::vector<Domain::Location>;
+using Harmonic_coordinates = MP::Harmonic_coordinates_2<Kernel>;
+// One matrix for each part; a row for each vertex and a column for each point.
+template <int Order>
+using Parts = Harmonic_coordinates::Batch<Order>;
+
+template <int Order>
+Parts<Order> evaluate_inside(const Harmonic_coordinates& coordinates, const Points& points,
+                             const Locations& locations) {
+  return coordinates.evaluate_batch<Order>(points, locations);
+}
+
+template <int Order, typename Coordinates>
+Parts<Order> evaluate_inside(const Coordinates& coordinates, const Points& points,
+                             const Locations& locations) {
+  std::vector<MP::Jet_2<double, Order>> lambda(coordinates.domain().size());
+  Parts<Order> parts;
+  for (auto& part : parts)
+    part.resize(static_cast<Eigen::Index>(lambda.size()), static_cast<Eigen::Index>(points.size()));
+  for (std::size_t j = 0; j < points.size(); ++j) {
+    coordinates.template evaluate<Order>(points[j], locations[j], lambda.data());
+    for (std::size_t k = 0; k < parts.size(); ++k)
+      for (std::size_t i = 0; i < lambda.size(); ++i)
+        parts[k](static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = lambda[i][k];
+  }
+  return parts;
+}
+
 template <int Order, typename Coordinates>
 std::vector<double> evaluate(const Coordinates& coordinates,
                              const std::vector<std::size_t>& vertices,
                              const std::vector<Located_point>& points) {
-  using Jet = MP::Jet_2<double, Order>;
-  std::vector<Jet> lambda(coordinates.domain().size());
+  Points inside;
+  Locations locations;
+  for (const auto& [point, location] : points)
+    if (location.kind != Domain::Location::Kind::outside) {
+      inside.push_back(point);
+      locations.push_back(location);
+    }
+  const Parts<Order> parts = evaluate_inside<Order>(coordinates, inside, locations);
   std::vector<double> values;
-  values.reserve(points.size() * vertices.size() * number_of_parts(Order));
+  values.reserve(points.size() * vertices.size() * parts.size());
+  Eigen::Index column = 0;
   for (const auto& [point, location] : points) {
-    const bool inside = location.kind != Domain::Location::Kind::outside;
-    if (inside)
-      coordinates.template evaluate<Order>(point, location, lambda.data());
-    const std::size_t defined = !inside                                    ? 0
-                                : is_differentiable<Coordinates>(location) ? number_of_parts(Order)
+    const bool is_inside = location.kind != Domain::Location::Kind::outside;
+    const std::size_t defined = !is_inside                                 ? 0
+                                : is_differentiable<Coordinates>(location) ? parts.size()
                                                                            : 1;
     for (const std::size_t i : vertices)
-      for (std::size_t k = 0; k < number_of_parts(Order); ++k) {
-        values.push_back(k < defined ? lambda[i][k] : nan);
+      for (std::size_t k = 0; k < parts.size(); ++k) {
+        values.push_back(k < defined ? parts[k](static_cast<Eigen::Index>(i), column) : nan);
         if (k < defined)
           check_finite(values.back(), point);
       }
+    column += is_inside;
   }
   return values;
 }

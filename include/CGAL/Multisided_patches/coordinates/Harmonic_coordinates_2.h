@@ -286,7 +286,7 @@ private:
         if (tau == tau_min)
           break;
         // The error is about tau^1.7.
-        tau *= (std::min)(0.5, (std::max)(1e-2, 0.6 * std::pow(target_error / error, 1 / 1.7)));
+        tau *= (std::min)(0.25, (std::max)(1e-2, 0.6 * std::pow(target_error / error, 1 / 1.7)));
       } else { // A coarser subdivision may still do.
         if (tau == tau_max)
           break;
