@@ -48,7 +48,7 @@ public:
   std::vector<Cell_coefficients> solve(const Vertex_blocking& blocking, double accuracy) const {
     std::vector<std::vector<Matrix>> x(blocking.size());
     // How far rounding spoils the result is seen in the first block.
-    const bool refine = solve_block(blocking, 0, true, accuracy, x[0]) > 0.03 * accuracy;
+    const bool refine = solve_block(blocking, 0, true, accuracy, x[0]) > 0.1 * accuracy;
     for_each_index<ConcurrencyTag>(
         blocking.size() - 1,
         [&](std::size_t k) { solve_block(blocking, k + 1, refine, accuracy, x[k + 1]); }, 1);

@@ -44,7 +44,7 @@ public:
   static constexpr std::size_t lanes = 4;
 
 private:
-  static constexpr std::size_t max_width = 16;
+  static constexpr std::size_t max_width = 32;
 
   std::size_t vertices_, width_;
 };
