@@ -18,7 +18,6 @@
 #include <complex>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 #include <sstream>
 #include <string>
 #include <type_traits>
@@ -55,7 +54,7 @@ namespace Multisided_patches {
  *
  * Setting up takes some milliseconds for 8 vertices, and grows with about n^1.7. Evaluating all
  * coordinates with gradients at a point takes less than a microsecond for n = 8, and allocates no
- * memory up to n = 32; many points are faster together, with `evaluate_batch()`. All queries may be
+ * memory up to n = 32; `evaluate_batch()` does it for many points in parallel. All queries may be
  * made from several threads.
  *
  * \cgalModels{BarycentricCoordinates_2}
@@ -136,9 +135,8 @@ public:
   double error_bound() const { return error_bound_; }
 
   /*!
-   * evaluates all coordinates, and their derivatives up to `Order`, at many points: in groups by
-   * cell, with matrix products, and in parallel with `Parallel_tag`. The results are those of
-   * `evaluate()` up to rounding, and do not depend on the concurrency.
+   * evaluates all coordinates, and their derivatives up to `Order`, at many points, in parallel
+   * with `Parallel_tag`. The results are those of `evaluate()`.
    *
    * \param points in or on the domain
    *
@@ -164,10 +162,14 @@ public:
     for (auto& matrix : result)
       matrix.resize(static_cast<Eigen::Index>(this->domain().size()),
                     static_cast<Eigen::Index>(points.size()));
-    const Groups groups = group_by_cell<Order, ConcurrencyTag>(points, locations);
+    constexpr std::size_t range = 512; // the results of so many points stay in the cache
     internal::for_each_index<ConcurrencyTag>(
-        groups.begins.size() - 1,
-        [&](std::size_t g) { evaluate_group(groups, g, points, locations, result); }, 8);
+        (points.size() + range - 1) / range,
+        [&](std::size_t r) {
+          evaluate_range<Order>(r * range, (std::min)((r + 1) * range, points.size()), points,
+                                locations, result);
+        },
+        1);
     return result;
   }
 
@@ -200,14 +202,7 @@ public:
                         Jet_2<FT, Order>* lambda) const {
     const bool at_vertex = location.kind == Location::Kind::vertex;
     const Complex z = at_vertex ? vertex_probes_[location.index] : normalized(p);
-    boost::container::small_vector<double, 32 * number_of_parts<Order>> parts(
-        basis_.stride() * number_of_parts<Order>);
-    basis_.template evaluate<Order>(basis_.locate(z), z, parts.data());
-    correct<Order>(z, parts.data());
-    internal::harmonic::clamp_negative_values(vertices_, z, parts.data());
-    for (std::size_t i = 0; i < this->domain().size(); ++i)
-      for (std::size_t k = 0; k < Jet_2<FT, Order>::size; ++k)
-        lambda[i][k] = static_cast<FT>(entry(parts.data() + i, k));
+    evaluate_in_cell(basis_.locate(z), z, lambda);
     if constexpr (Order >= 1)
       if (at_vertex && this->domain().corner_type(location.index) == Corner_type::convex)
         set_gradients_at_convex_vertex(location.index, lambda);
@@ -217,13 +212,6 @@ public:
 private:
   template <int Order>
   static constexpr int number_of_parts = internal::harmonic::number_of_parts<Order>;
-
-  // Points, by their indices, in groups that lie in one cell each.
-  struct Groups {
-    std::vector<std::size_t> points;
-    std::vector<std::size_t> begins; // in `points`, and one past the last group
-    std::vector<std::size_t> cells;  // of all points, not in this order
-  };
 
   // The polygon is moved to the origin and scaled to unit size; by a power of two, which is exact.
   void set_frame() {
@@ -255,7 +243,7 @@ private:
   // tau from the target: fitted to the errors that were measured on many shapes, and a little less
   // for many vertices, as the largest of more errors counts.
   static double initial_tau(double target_error, std::size_t n) {
-    const double tau = (std::min)(24 * std::pow(target_error, 0.83), //
+    const double tau = (std::min)(20 * std::pow(target_error, 0.83), //
                                   3.7 * std::pow(target_error, 0.73));
     return tau * (std::min)(1., std::sqrt(40. / static_cast<double>(n)));
   }
@@ -323,80 +311,40 @@ private:
     return (k == 5 ? -factor : factor) * parts[part[k] * basis_.stride()];
   }
 
-  // Points whose values are those of the boundary, and vertices, come in groups of one.
   template <int Order>
-  static bool needs_no_cell(const Location& location) {
-    return location.kind == Location::Kind::vertex || (Order == 0 && location.is_on_boundary());
+  void evaluate_in_cell(std::size_t cell, const Complex& z, Jet_2<FT, Order>* lambda) const {
+    boost::container::small_vector<double, 32 * number_of_parts<Order>> parts(
+        basis_.stride() * number_of_parts<Order>);
+    basis_.template evaluate<Order>(cell, z, parts.data());
+    correct<Order>(z, parts.data());
+    internal::harmonic::clamp_negative_values(vertices_, z, parts.data());
+    for (std::size_t i = 0; i < this->domain().size(); ++i)
+      for (std::size_t k = 0; k < Jet_2<FT, Order>::size; ++k)
+        lambda[i][k] = static_cast<FT>(entry(parts.data() + i, k));
   }
 
-  template <int Order, typename ConcurrencyTag>
-  Groups group_by_cell(const std::vector<Point_2>& points,
-                       const std::vector<Location>& locations) const {
-    constexpr std::size_t max_group = 32; // their rows of basis functions stay in the cache
-    Groups groups;
-    groups.cells.resize(points.size());
-    internal::for_each_index<ConcurrencyTag>(points.size(), [&](std::size_t j) {
-      CGAL_precondition(locations[j].kind != Location::Kind::outside);
-      groups.cells[j] =
-          needs_no_cell<Order>(locations[j]) ? 0 : 1 + basis_.locate(normalized(points[j]));
-    });
-    std::vector<std::size_t> begins(basis_.number_of_cells() + 2, 0); // a counting sort
-    for (const std::size_t c : groups.cells)
-      ++begins[c + 1];
-    std::partial_sum(begins.begin(), begins.end(), begins.begin());
-    groups.begins = {0};
-    for (std::size_t c = 0; c + 1 < begins.size(); ++c)
-      for (std::size_t k = begins[c]; k < begins[c + 1]; k += max_group)
-        groups.begins.push_back((std::min)(k + max_group, begins[c + 1]));
-    groups.points.resize(points.size());
-    for (std::size_t j = 0; j < points.size(); ++j)
-      groups.points[begins[groups.cells[j]]++] = j;
-    return groups;
-  }
-
-  template <std::size_t Size>
-  void evaluate_group(
-      const Groups& groups, std::size_t g, const std::vector<Point_2>& points,
-      const std::vector<Location>& locations,
-      std::array<Eigen::Matrix<FT, Eigen::Dynamic, Eigen::Dynamic>, Size>& result) const {
-    constexpr int order = Size == 1 ? 0 : Size == 3 ? 1 : 2;
-    const std::size_t begin = groups.begins[g], end = groups.begins[g + 1];
-    const std::size_t n = this->domain().size(), cell = groups.cells[groups.points[begin]];
-    if (cell == 0) {
-      for (std::size_t k = begin; k < end; ++k)
-        evaluate_alone<order>(groups.points[k], points, locations, result);
-      return;
-    }
-    std::vector<Complex> z;
-    for (std::size_t k = begin; k < end; ++k)
-      z.push_back(normalized(points[groups.points[k]]));
-    std::vector<double> values;
-    basis_.template evaluate<order>(cell - 1, z, values);
-    for (std::size_t k = begin; k < end; ++k) {
-      double* parts = values.data() + (k - begin) * number_of_parts<order> * basis_.stride();
-      correct<order>(z[k - begin], parts);
-      internal::harmonic::clamp_negative_values(vertices_, z[k - begin], parts);
-      const std::size_t j = groups.points[k];
-      for (std::size_t q = 0; q < Size; ++q) {
-        FT* column = result[q].data() + j * n;
-        for (std::size_t i = 0; i < n; ++i)
-          column[i] = static_cast<FT>(entry(parts + i, q));
-      }
-      if (locations[j].is_on_boundary())
-        this->set_boundary_values(
-            locations[j], [&](std::size_t i) -> FT& { return result[0].data()[j * n + i]; });
-    }
-  }
-
+  // evaluates consecutive points, those of one cell one after the other
   template <int Order>
-  void evaluate_alone(std::size_t j, const std::vector<Point_2>& points,
+  void evaluate_range(std::size_t begin, std::size_t end, const std::vector<Point_2>& points,
                       const std::vector<Location>& locations, Batch<Order>& result) const {
+    std::vector<std::pair<std::size_t, std::size_t>> cells_and_points;
+    for (std::size_t j = begin; j < end; ++j) {
+      CGAL_precondition(locations[j].kind != Location::Kind::outside);
+      cells_and_points.push_back({basis_.locate(normalized(points[j])), j});
+    }
+    std::sort(cells_and_points.begin(), cells_and_points.end());
     const std::size_t n = this->domain().size();
-    boost::container::small_vector<Jet_2<FT, Order>, 32> lambda(n);
-    this->template evaluate<Order>(points[j], locations[j], lambda.data());
-    for (std::size_t q = 0; q < result.size(); ++q)
-      for (std::size_t i = 0; i < n; ++i)
-        result[q].data()[j * n + i] = lambda[i][q];
+    std::vector<Jet_2<FT, Order>> lambda(n);
+    for (const auto& cell_and_point : cells_and_points) {
+      const auto [cell, j] = cell_and_point;
+      if (locations[j].is_on_boundary())
+        this->template evaluate<Order>(points[j], locations[j], lambda.data());
+      else
+        evaluate_in_cell(cell, normalized(points[j]), lambda.data());
+      for (std::size_t k = 0; k < result.size(); ++k)
+        for (std::size_t i = 0; i < n; ++i)
+          result[k].data()[j * n + i] = lambda[i][k];
+    }
   }
 
   // the affine functions with the slopes of the hat functions along both sides

@@ -46,7 +46,7 @@ public:
     if (Order > 0 || !location.is_on_boundary())
       static_cast<const Derived&>(*this).template evaluate_formula<Order>(p, location, lambda);
     if (location.is_on_boundary())
-      set_boundary_values(location, [&](std::size_t i) -> FT& { return lambda[i][0]; });
+      set_boundary_values(location, lambda);
   }
 
   template <typename OutputIterator>
@@ -59,22 +59,20 @@ public:
     return out;
   }
 
-protected:
-  // `value(i)` is the place of the value of coordinate i
-  template <typename Value>
-  void set_boundary_values(const Location& location, const Value& value) const {
+private:
+  template <int Order>
+  void set_boundary_values(const Location& location, Jet_2<FT, Order>* lambda) const {
     for (std::size_t i = 0; i < domain_.size(); ++i)
-      value(i) = FT(0);
+      lambda[i][0] = FT(0);
     const std::size_t i = location.index;
     if (location.kind == Location::Kind::vertex) {
-      value(i) = FT(1);
+      lambda[i][0] = FT(1);
     } else {
-      value(i) = FT(1) - location.s;
-      value(domain_.next(i)) = location.s;
+      lambda[i][0] = FT(1) - location.s;
+      lambda[domain_.next(i)][0] = location.s;
     }
   }
 
-private:
   Domain domain_;
 };
 

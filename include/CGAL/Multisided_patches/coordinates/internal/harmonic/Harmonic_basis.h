@@ -36,7 +36,6 @@ public:
 
   // the number of vertices, rounded up: the distance of the parts in the result of evaluate
   std::size_t stride() const { return stride_; }
-  std::size_t number_of_cells() const { return cells_.size(); }
   std::size_t locate(const Complex& z) const { return locator_(z); }
 
   // writes part k (see number_of_parts) of the function of vertex i to values[k * stride() + i],
@@ -52,33 +51,6 @@ public:
       for (Index i = 0; i < b.coefficients.cols(); i += lanes)
         combine<Order>(b.coefficients, i, f.data(), values + b.first + i);
     add_hats<Order>(cell, z, values);
-  }
-
-  // the same for several points of one cell, one after the other in `values`: the sums of all are
-  // products of matrices
-  template <int Order>
-  void evaluate(std::size_t cell, const std::vector<Complex>& points,
-                std::vector<double>& values) const {
-    constexpr int parts = number_of_parts<Order>;
-    const std::size_t size = static_cast<std::size_t>(harmonic::size(cells_[cell]));
-    boost::container::small_vector<Analytic<Order>, 128> f(size, boost::container::default_init);
-    Matrix rows(static_cast<Index>(parts * points.size()), static_cast<Index>(size));
-    double* row = rows.data();
-    for (const Complex& z : points) {
-      basis<Order>(cells_[cell], z, f.data());
-      for (int part = 0; part < parts; ++part)
-        for (std::size_t j = 0; j < size; ++j)
-          *row++ = real_part(f[j], part);
-    }
-    values.assign(points.size() * parts * stride(), 0.);
-    Eigen::Map<Matrix> all(values.data(), rows.rows(), static_cast<Index>(stride()));
-    for (const Vertex_block& b : coefficients_[cell]) {
-      Matrix product;
-      add_product(1, rows, b.coefficients, product);
-      all.middleCols(static_cast<Index>(b.first), product.cols()) = product;
-    }
-    for (std::size_t k = 0; k < points.size(); ++k)
-      add_hats<Order>(cell, points[k], values.data() + k * parts * stride());
   }
 
 private:
@@ -101,8 +73,15 @@ private:
     const double* row = coefficients.data() + i;
     for (Index j = 0; j < coefficients.rows(); ++j, row += coefficients.cols()) {
       const Lanes c = Eigen::Map<const Eigen::Array<double, lanes, 1>>(row).template cast<Real>();
-      for (int part = 0; part < number_of_parts<Order>; ++part)
-        sum[part] += c * real_part(f[j], part);
+      sum[0] += c * f[j][0].real();
+      if constexpr (Order >= 1) {
+        sum[1] += c * f[j][1].real();
+        sum[2] -= c * f[j][1].imag();
+      }
+      if constexpr (Order >= 2) {
+        sum[3] += c * f[j][2].real();
+        sum[4] -= c * f[j][2].imag();
+      }
     }
     for (int part = 0; part < number_of_parts<Order>; ++part)
       Eigen::Map<Lanes>(values + static_cast<std::size_t>(part) * stride()) = sum[part];
