@@ -245,7 +245,7 @@ private:
   static double initial_tau(double target_error, std::size_t n) {
     const double tau = (std::min)(20 * std::pow(target_error, 0.83), //
                                   3.7 * std::pow(target_error, 0.73));
-    return tau * (std::min)(1., std::sqrt(40. / static_cast<double>(n)));
+    return tau * (std::min)(1., std::pow(40. / static_cast<double>(n), 0.7));
   }
 
   template <typename ConcurrencyTag>
