@@ -198,6 +198,6 @@ TEST_CASE("two independent methods agree on random domains", "[harmonic]") {
       good += lightning.error_bound() < 1e-7 ? 1 : 0;
     }
   // Spikes and slots are too much for the lightning method. Of many domains of these kinds, 100,
-  // 93, 80 and 72 percent were good, of these 22 all but 2.
+  // 93, 80 and 72 percent were good, of these 22 all but 1.
   CHECK(good >= 15);
 }

@@ -11,6 +11,7 @@
 #include <CGAL/Multisided_patches/coordinates/internal/harmonic/clamp_negative_values.h>
 #include <CGAL/Multisided_patches/coordinates/internal/harmonic/solve_laplace.h>
 #include <CGAL/Multisided_patches/internal/for_each_index.h>
+#include <CGAL/Multisided_patches/internal/to_text.h>
 
 #include <algorithm>
 #include <array>
@@ -18,7 +19,6 @@
 #include <complex>
 #include <cstddef>
 #include <limits>
-#include <sstream>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -42,8 +42,8 @@ namespace Multisided_patches {
  * values are exact by construction, and so are the derivatives of the approximation, which is
  * analytic in every cell.
  *
- * A small linear correction makes Σ λ_i = 1 and Σ λ_i v_i = (u,v) hold up to rounding, and values
- * that would be below zero are zero; derivatives are those of the approximation before.
+ * A small linear correction makes Σ λ_i = 1 and Σ λ_i v_i = (u,v) hold up to rounding. Where values
+ * would be below zero, they are zero and the others change a little, but not the derivatives.
  *
  * Derivatives: inside and on the sides they are finite, and on the sides the limits from inside. At
  * a convex vertex, the gradient is its limit, that of the affine function which interpolates the
@@ -53,9 +53,9 @@ namespace Multisided_patches {
  * away.
  *
  * Setting up takes some milliseconds for 8 vertices, and grows with about n^1.7. Evaluating all
- * coordinates with gradients at a point takes less than a microsecond for n = 8, and allocates no
- * memory up to n = 32; `evaluate_batch()` does it for many points in parallel. All queries may be
- * made from several threads.
+ * coordinates with gradients at a point takes less than a microsecond for n = 8, and allocates
+ * hardly any memory up to n = 32; `evaluate_batch()` does it for many points in parallel. All
+ * queries may be made from several threads.
  *
  * \cgalModels{BarycentricCoordinates_2}
  *
@@ -100,7 +100,7 @@ public:
    * \throws Accuracy_error if the target, and the acceptable error, could not be reached; it says
    * what was
    *
-   * \pre `target_error > 0`
+   * \pre `target_error > 0` and `acceptable_error >= 0`, both finite
    *
    * Complexity: about O(n^1.7) time, and O(n²) memory, 2 kB · n² in the worst case; less where
    * distant vertices do not see each other.
@@ -109,7 +109,8 @@ public:
   explicit Harmonic_coordinates_2(const Domain& domain, double target_error = 1e-8,
                                   double acceptable_error = 0, ConcurrencyTag concurrency = {})
       : Base(domain) {
-    CGAL_precondition(target_error > 0);
+    CGAL_precondition(target_error > 0 && acceptable_error >= 0);
+    CGAL_precondition(std::isfinite(target_error) && std::isfinite(acceptable_error));
     static_cast<void>(concurrency);
     set_frame();
     std::vector<Complex> exact;
@@ -130,7 +131,9 @@ public:
   /*!
    * an estimate, on the safe side in all experiments, of the largest error of any value: the
    * largest jump of value or scaled normal derivative that was measured between neighbouring cells,
-   * times 4, or more if the cells differ greatly in size.
+   * times 4, or more if the cells differ greatly in size. It is that of the approximation; the
+   * correction that reproduces linear functions, and the clamping at zero, change values by no more
+   * than its order.
    */
   double error_bound() const { return error_bound_; }
 
@@ -174,12 +177,11 @@ public:
   }
 
   /*!
-   * evaluates the same approximation in a wider floating-point type, at a point inside the domain:
-   * the yardstick for the rounding of values and derivatives. Values below zero are left as they
-   * are.
+   * evaluates the same approximation in a wider floating-point type: the yardstick for the rounding
+   * of values and derivatives. Values below zero are left as they are.
    *
    * \tparam Real `long double`, for instance
-   * \param u,v the point
+   * \param u,v the point, inside the domain
    * \param lambda room for the coordinates of all vertices, with derivatives up to `Order`
    */
   template <int Order, typename Real>
@@ -281,16 +283,18 @@ private:
         tau *= 30;
       }
     }
-    if (!(error_bound_ <= acceptable_error))
+    if (!std::isfinite(error_bound_) || error_bound_ > acceptable_error)
       throw_accuracy_error(target_error, failure);
   }
 
   [[noreturn]] void throw_accuracy_error(double target_error, const std::string& failure) const {
-    std::ostringstream message;
-    message << "harmonic coordinates on a domain of " << this->domain().size()
-            << " sides: errors below " << target_error << " were asked for, and " << error_bound_
-            << " was reached" << failure;
-    throw Accuracy_error(message.str(), error_bound_);
+    const bool reached = std::isfinite(error_bound_);
+    const std::string message = "harmonic coordinates on a domain of " +
+                                std::to_string(this->domain().size()) + " sides: errors below " +
+                                internal::to_short_text(target_error) + " were asked for, and " +
+                                (reached ? internal::to_short_text(error_bound_) + " was reached"
+                                         : "nothing was reached" + failure);
+    throw Accuracy_error(message, error_bound_);
   }
 
   // makes all parts fit to 1, u and v
@@ -351,10 +355,8 @@ private:
   template <int Order>
   void set_gradients_at_convex_vertex(std::size_t k, Jet_2<FT, Order>* lambda) const {
     const std::size_t next = this->domain().next(k), prev = this->domain().prev(k);
-    const Complex v = complex(this->domain().vertex(k));
-    const Complex a = complex(this->domain().vertex(next)) - v,
-                  b = complex(this->domain().vertex(prev)) - v;
-    const double area = internal::harmonic::cross(a, b);
+    const Complex a = vertices_[next] - vertices_[k], b = vertices_[prev] - vertices_[k];
+    const double area = internal::harmonic::cross(a, b) / scale_;
     const Complex gradient_next = Complex(b.imag(), -b.real()) / area, // 1 along a, 0 along b
         gradient_prev = Complex(-a.imag(), a.real()) / area;
     for (std::size_t i = 0; i < this->domain().size(); ++i)

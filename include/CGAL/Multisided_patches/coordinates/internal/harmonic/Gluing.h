@@ -12,6 +12,10 @@
 
 #include <CGAL/Multisided_patches/errors.h>
 
+#include <algorithm>
+#include <array>
+#include <limits>
+
 namespace CGAL {
 namespace Multisided_patches {
 namespace internal {
@@ -47,8 +51,11 @@ public:
   // interfaces
   std::vector<Cell_coefficients> solve(const Vertex_blocking& blocking, double accuracy) const {
     std::vector<std::vector<Matrix>> x(blocking.size());
-    // How far rounding spoils the result is seen in the first block.
-    const bool refine = solve_block(blocking, 0, true, accuracy, x[0]) > 0.1 * accuracy;
+    // How far rounding spoils the result is seen in the first block, unless there are bad cells.
+    const bool has_penalties = std::any_of(penalties_.begin(), penalties_.end(),
+                                           [](const Matrix& p) { return p.size() > 0; });
+    const bool refine =
+        solve_block(blocking, 0, true, accuracy, x[0]) > 0.1 * accuracy || has_penalties;
     for_each_index<ConcurrencyTag>(
         blocking.size() - 1,
         [&](std::size_t k) { solve_block(blocking, k + 1, refine, accuracy, x[k + 1]); }, 1);
@@ -90,7 +97,8 @@ private:
   }
 
   // A shift keeps the pivots positive where two cells nearly span the same functions. It starts at
-  // the level of rounding, and the refinement removes its effect.
+  // the level of rounding, and the refinement removes its effect: unlike the penalties, it is no
+  // part of the problem.
   void factorize() {
     for (double shift = 1e-15; shift < 1e-3; shift *= 1000) {
       factorization_ = normal_equations(shift);
@@ -165,21 +173,26 @@ private:
     const double negligible = 1e-3 * accuracy;
     x = right_hand_sides(blocking, block);
     factorization_.solve_in_place(x, negligible);
-    double first_update = 0;
-    constexpr int max_passes = 4; // one suffices in general
+    double first_update = 0, previous = std::numeric_limits<double>::infinity();
+    constexpr int max_passes = 6; // one suffices in general
     for (int pass = 0; refine && pass < max_passes; ++pass) {
       std::vector<Matrix> r = residual(blocking, block, x);
       factorization_.solve_in_place(r);
       double update = 0;
-      for (std::size_t c = 0; c < x.size(); ++c)
-        if (x[c].size() > 0 && r[c].size() > 0) {
-          x[c] += r[c];
-          update = (std::max)(update, r[c].cwiseAbs().maxCoeff());
-        }
+      for (const Matrix& m : r)
+        if (m.size() > 0)
+          update = (std::max)(update, m.cwiseAbs().maxCoeff());
       if (pass == 0)
         first_update = update;
-      if (update < 1e-7) // and the next is its square
+      if (!(update < 0.5 * previous)) // rounding; adding more would not help
         break;
+      for (std::size_t c = 0; c < x.size(); ++c)
+        if (x[c].size() > 0 && r[c].size() > 0)
+          x[c] += r[c];
+      // Updates decrease by a constant factor, the first of which was from 1.
+      if (update * (std::min)(1., update / (pass == 0 ? 1 : previous)) < 0.01 * accuracy)
+        break;
+      previous = update;
     }
     for (std::size_t c = 0; c < x.size(); ++c)
       if (x[c].size() > 0)

@@ -8,7 +8,11 @@
 
 #include <CGAL/Multisided_patches/coordinates/internal/harmonic/Vertex_block.h>
 #include <CGAL/Multisided_patches/coordinates/internal/harmonic/cover_mesh.h>
+#include <CGAL/Multisided_patches/errors.h>
 #include <CGAL/Multisided_patches/internal/gauss_legendre.h>
+
+#include <algorithm>
+#include <map>
 
 namespace CGAL {
 namespace Multisided_patches {
@@ -79,11 +83,14 @@ public:
   // points of every edge, so what is left oscillates, and is largest between these.
   enum class Points { gauss_legendre, between };
 
-  Interface_assembler(const std::vector<Cell>& cells, const std::vector<Interface>& faces,
-                      double oversampling = 0.7) // 0.6 to 1.2 make no difference
-      : cells_(cells), oversampling_(oversampling) {
-    while (!is_overdetermined(faces))
+  Interface_assembler(const std::vector<Cell>& cells, const std::vector<Interface>& faces)
+      : cells_(cells) {
+    constexpr double max_oversampling = 10;
+    while (!is_overdetermined(faces)) {
       oversampling_ *= 1.5;
+      if (oversampling_ > max_oversampling)
+        throw Numerical_error("a cell has next to no boundary with others");
+    }
     for (const Interface& face : faces)
       for (const Segment& s : face.edges) {
         const std::size_t m = number_of_points(s, face);
@@ -93,8 +100,6 @@ public:
           rules_[m] = gauss_legendre(static_cast<int>(m));
       }
   }
-
-  double oversampling() const { return oversampling_; }
 
   Interface_equations assemble(const Interface& face, Points points) const {
     const double finest = finest_resolution(face);
@@ -157,12 +162,11 @@ private:
     std::vector<double> result;
     for (const Quadrature_node& node : rules_[m])
       result.push_back(node.t);
-    if (points == Points::between) {
+    if (points == Points::between) { // 0, the midpoints, 1
+      for (std::size_t i = result.size(); i-- > 1;)
+        result[i] = (result[i - 1] + result[i]) / 2;
+      result.front() = 0;
       result.push_back(1);
-      double previous = -result.front();
-      for (double& t : result)
-        t = (std::exchange(previous, t) + t) / 2;
-      result.back() = 1;
     }
     return result;
   }
@@ -197,7 +201,7 @@ private:
   }
 
   const std::vector<Cell>& cells_;
-  double oversampling_;
+  double oversampling_ = 0.7;                       // 0.6 to 1.2 make no difference
   std::vector<std::vector<Quadrature_node>> rules_; // by the number of points
 };
 

@@ -20,7 +20,7 @@ namespace harmonic {
 
 // Multiplies all values by 1 + alpha + beta (v_i - z), with the alpha and beta that give
 // sum lambda_i = 1 and sum lambda_i v_i = z: what is zero stays so, and what is small changes
-// little.
+// little, and stays positive.
 inline void rescale_affinely(const std::vector<Complex>& vertices, const Complex& z,
                              double* lambda) {
   Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
@@ -34,31 +34,26 @@ inline void rescale_affinely(const std::vector<Complex>& vertices, const Complex
   // to where both are rounding.
   Eigen::Vector3d factor = moments.ldlt().solve(defect);
   if (!(factor.norm() < 0.1))
-    factor = {defect[0], 0, 0};
+    factor = {1 / moments(0, 0) - 1, 0, 0};
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const Complex w = vertices[i] - z;
     lambda[i] *= 1 + factor[0] + factor[1] * w.real() + factor[2] * w.imag();
   }
 }
 
-// sets negative values of coordinates at z to zero, and restores what that spoils. The coordinates
-// are positive, so their approximations are hardly below zero; where none is, nothing changes.
+// sets negative values of coordinates at z to zero, and restores what that spoils by small changes
+// of all others. The coordinates are positive, so their approximations are hardly below zero; where
+// none is, nothing changes.
 inline void clamp_negative_values(const std::vector<Complex>& vertices, const Complex& z,
                                   double* lambda) {
-  constexpr int max_passes = 4;
-  for (int pass = 0; pass < max_passes; ++pass) {
-    double excess = 0;
-    for (std::size_t i = 0; i < vertices.size(); ++i)
-      if (lambda[i] < 0) {
-        excess -= lambda[i];
-        lambda[i] = 0;
-      }
-    if (excess < std::numeric_limits<double>::epsilon())
-      return;
-    rescale_affinely(vertices, z, lambda);
-  }
+  double excess = 0;
   for (std::size_t i = 0; i < vertices.size(); ++i)
-    lambda[i] = (std::max)(lambda[i], 0.);
+    if (lambda[i] < 0) {
+      excess -= lambda[i];
+      lambda[i] = 0;
+    }
+  if (excess >= std::numeric_limits<double>::epsilon())
+    rescale_affinely(vertices, z, lambda);
 }
 
 } // namespace harmonic

@@ -10,6 +10,7 @@
 #include <CGAL/Multisided_patches/coordinates/internal/harmonic/Candidate_finder.h>
 #include <CGAL/Multisided_patches/coordinates/internal/harmonic/Cell.h>
 
+#include <algorithm>
 #include <queue>
 
 namespace CGAL {
@@ -140,7 +141,8 @@ private:
       radius = (std::max)(radius, farthest(mesh_.corners(t), c.centre));
     // On a side the true radius is rarely larger than ours, as its ends are singular points.
     const double safety = c.kind == Candidate::Kind::side ? 1.2 : 1;
-    const double terms = safety * finder_.decay() / std::log(c.radius / radius);
+    // In a sharp corner there are few, as the angle comes in below.
+    const double terms = (std::min)(1e8, safety * finder_.decay() / std::log(c.radius / radius));
     const int degree = (std::max)(4, static_cast<int>(std::ceil(terms)));
     switch (c.kind) {
     case Candidate::Kind::corner:

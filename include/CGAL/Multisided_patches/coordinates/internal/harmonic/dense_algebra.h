@@ -6,11 +6,12 @@
 #ifndef CGAL_MULTISIDED_PATCHES_COORDINATES_INTERNAL_HARMONIC_DENSE_ALGEBRA_H
 #define CGAL_MULTISIDED_PATCHES_COORDINATES_INTERNAL_HARMONIC_DENSE_ALGEBRA_H
 
+#include <CGAL/Multisided_patches/errors.h>
+
 #include <Eigen/Cholesky>
 
-#include <algorithm>
-#include <limits>
 #include <optional>
+#include <utility>
 
 namespace CGAL {
 namespace Multisided_patches {
@@ -64,7 +65,7 @@ inline std::optional<Matrix> cholesky(const Matrix& a) {
 // An orthonormal basis q of the columns of a matrix a = q r, but for a harmless rest.
 struct Orthonormal_basis {
   Matrix q, r;
-  // q^T q + penalty, within 1/2 of the unit matrix
+  // q^T q + penalty: within 1/2 of the unit matrix, which q^T q need not be
   Matrix gram;
   // What makes up for columns that depend on each other up to rounding: coefficients c of q are to
   // be found with c^T penalty c in mind. Empty if there is none.
@@ -81,26 +82,21 @@ inline bool is_well_conditioned(const Matrix& u) {
   return true;
 }
 
-// the Cholesky factor of a matrix whose diagonal is enlarged as far as necessary
-inline Matrix shifted_cholesky(Matrix gram) {
-  const Eigen::VectorXd diagonal = gram.diagonal();
-  std::optional<Matrix> u = cholesky(gram);
-  for (double shift = 1e-15 * static_cast<double>(gram.cols()); !u; shift *= 100) {
-    gram.diagonal() = (1 + shift) * diagonal;
-    u = cholesky(gram);
-  }
-  return std::move(*u);
+// the Cholesky factor of a Gram matrix of unit columns, with a shift as large as necessary
+inline Matrix shifted_cholesky(const Matrix& gram) {
+  const Matrix unit = Matrix::Identity(gram.rows(), gram.cols());
+  for (double shift = 1e-15 * static_cast<double>(gram.cols()); shift < 1; shift *= 100)
+    if (std::optional<Matrix> u = cholesky(gram + shift * unit))
+      return std::move(*u);
+  throw Numerical_error("the functions of a cell depend on each other");
 }
 
-// a with a multiple of the unit matrix below, in the scales of its columns: no combination of the
-// columns is small any more unless its coefficients are
+// a matrix of unit columns with a multiple of the unit matrix below: no combination of the columns
+// is small any more unless its coefficients are
 inline Matrix with_penalty_rows(const Matrix& a) {
   constexpr double weight = 1e-14;
-  Matrix result = Matrix::Zero(a.rows() + a.cols(), a.cols());
-  result.topRows(a.rows()) = a;
-  for (Index j = 0; j < a.cols(); ++j)
-    result(a.rows() + j, j) =
-        (std::max)(weight * a.col(j).norm(), std::numeric_limits<double>::min());
+  Matrix result(a.rows() + a.cols(), a.cols());
+  result << a, weight * Matrix::Identity(a.cols(), a.cols());
   return result;
 }
 
@@ -112,28 +108,35 @@ inline Matrix with_penalty_rows(const Matrix& a) {
 // for computing the QR factorization of ill-conditioned matrices", SIAM J. Sci. Comput. 42 (2020).
 inline Orthonormal_basis orthonormalize(Matrix a) {
   constexpr int max_passes = 6;
-  const Index rows = a.rows();
+  const Index rows = a.rows(), columns = a.cols();
+  if (!a.allFinite())
+    throw Numerical_error("a basis function overflows");
   Orthonormal_basis result;
+  result.r.setIdentity(columns, columns);
+  for (Index j = 0; j < columns; ++j) {
+    const double norm = a.col(j).stableNorm();
+    if (norm > 0)
+      result.r(j, j) = norm;
+    a.col(j) /= result.r(j, j);
+  }
   for (int pass = 0;; ++pass) {
-    Matrix gram;
-    add_transposed_product(1, a, a, gram);
-    const double defect = (gram - Matrix::Identity(gram.rows(), gram.cols())).norm();
-    if (pass > 0 && (defect < 0.5 || pass == max_passes)) {
-      result.gram = std::move(gram);
+    result.gram.resize(0, 0);
+    add_transposed_product(1, a, a, result.gram);
+    if (pass > 0 && (result.gram - Matrix::Identity(columns, columns)).norm() < 0.5)
       break;
-    }
-    std::optional<Matrix> u = cholesky(gram);
+    if (pass == max_passes)
+      throw Numerical_error("the functions of a cell depend on each other");
+    std::optional<Matrix> u = cholesky(result.gram);
     if (pass == 0 && !(u && is_well_conditioned(*u))) {
       a = with_penalty_rows(a);
-      u = shifted_cholesky(std::move(gram)); // the penalty is below its rounding
-    } else if (!u) {
-      u = shifted_cholesky(std::move(gram));
+      u.reset(); // the penalty is below the rounding of the Gram matrix
     }
+    if (!u)
+      u = shifted_cholesky(result.gram);
     solve_upper_from_right(*u, a);
-    Matrix r;
-    if (pass > 0)
-      add_product(1, *u, result.r, r);
-    result.r = pass > 0 ? std::move(r) : std::move(*u);
+    Matrix product;
+    add_product(1, *u, result.r, product);
+    result.r = std::move(product);
   }
   if (a.rows() > rows) {
     const Matrix penalty_rows = a.bottomRows(a.rows() - rows);
