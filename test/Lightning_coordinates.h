@@ -286,6 +286,8 @@ public:
   }
 
 private:
+  static constexpr double max_power = 5.1;
+
   double first_power_left() const { return (std::max)(1 / angle_, max_power); }
   double clustering() const {
     return MP::internal::pi * std::sqrt(2 * (std::max)(0.1, 2 - angle_) / first_power_left());
@@ -294,7 +296,6 @@ private:
   std::size_t vertex_;
   bool regular_;
   double angle_;
-  static constexpr double max_power = 5.1;
   Complex end_;
 };
 
@@ -392,7 +393,8 @@ inline Eigen::MatrixXd solve(Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
 
 class Lightning_coordinates {
 public:
-  // Tries to keep all errors below `target_error`; `error_bound()` tells whether this worked.
+  // Tries to keep all errors below `target_error`; `error_bound()` tells whether this worked. No
+  // second attempt is made with more than `max_functions`, which take seconds if there are 1500.
   Lightning_coordinates(const Domain& domain, double target_error,
                         Eigen::Index max_functions = 2000)
       : polygon_(domain), spacing_(-5 / std::log(target_error)) {

@@ -52,7 +52,7 @@ namespace Multisided_patches {
  * bisector of the corner, 10^-6 times the distance to the nearest other vertex or visible side
  * away.
  *
- * Setting up takes some milliseconds for 8 vertices, and grows with about n^1.7. Evaluating all
+ * Setting up takes some milliseconds for 8 vertices, and grows with n^1.2 to n^2. Evaluating all
  * coordinates with gradients at a point takes less than a microsecond for n = 8, and allocates
  * hardly any memory up to n = 32; `evaluate_batch()` does it for many points in parallel. All
  * queries may be made from several threads.
@@ -102,8 +102,8 @@ public:
    *
    * \pre `target_error > 0` and `acceptable_error >= 0`, both finite
    *
-   * Complexity: about O(n^1.7) time, and O(n²) memory, 2 kB · n² in the worst case; less where
-   * distant vertices do not see each other.
+   * Complexity: O(n²) time and memory, 2 kB · n² in the worst case; from n^1.2 on where
+   * distant vertices do not see each other. The error asked for enters by its logarithm squared.
    */
   template <typename ConcurrencyTag = Parallel_if_available_tag>
   explicit Harmonic_coordinates_2(const Domain& domain, double target_error = 1e-8,

@@ -23,8 +23,7 @@ namespace internal {
 // Calls f(i) for i = 0..n-1, in parallel if the tag says so. The calls must not depend on each
 // other; `grain` of them should take far longer than handing a block of them to a thread.
 template <typename ConcurrencyTag, typename Function>
-void for_each_index(std::size_t n, const Function& f,
-                    [[maybe_unused]] std::size_t grain = 256) {
+void for_each_index(std::size_t n, const Function& f, [[maybe_unused]] std::size_t grain = 256) {
   if constexpr (std::is_convertible_v<ConcurrencyTag, Parallel_tag>) {
 #ifdef CGAL_LINKED_WITH_TBB
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, grain), [&](const auto& block) {
