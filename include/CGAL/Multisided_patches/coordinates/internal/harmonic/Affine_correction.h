@@ -25,9 +25,13 @@ public:
     Matrix m(static_cast<Index>(vertices.size()), 3);
     for (std::size_t i = 0; i < vertices.size(); ++i)
       m.row(static_cast<Index>(i)) << 1, vertices[i].real(), vertices[i].imag();
-    // With M^T = Q R, the map is Q R^{-T}: no squared condition number on thin polygons.
+    // With M^T = Q R, the map is Q (Q^T Q)^{-1} R^{-T}: no squared condition number on thin
+    // polygons.
     const Orthonormal_basis basis = orthonormalize(std::move(m));
+    const Matrix u = *cholesky(basis.gram);
     weights_ = basis.q.transpose();
+    solve_upper_transposed(u, weights_);
+    solve_upper(u, weights_);
     solve_upper(basis.r, weights_);
     weights_.transposeInPlace();
   }

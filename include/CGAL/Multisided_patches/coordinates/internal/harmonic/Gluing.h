@@ -122,11 +122,8 @@ private:
 
   // A^T b
   void multiply_right_hand_sides(std::size_t f) {
-    for (const std::size_t i : {0, 1}) {
-      const Matrix& a = equations_[f].rows[i];
-      products_[f][i].setZero(a.cols(), equations_[f].rhs.cols());
-      add_transposed_product(1, a, equations_[f].rhs, products_[f][i]);
-    }
+    for (const std::size_t i : {0, 1})
+      add_transposed_product(1, equations_[f].rows[i], equations_[f].rhs, products_[f][i]);
   }
 
   // A^T b for a block of vertices; where it is zero, the matrix stays empty
