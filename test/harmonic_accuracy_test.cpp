@@ -130,13 +130,38 @@ TEST_CASE("Sides that nearly touch are resolved as far as their coordinates tell
 
 TEST_CASE("Polygons with hundreds of vertices are no different", "[harmonic]") {
   Random random(5);
-  const Points polygon = star_shaped_polygon(random, 200, 0.6);
-  const Harmonic_coordinates_2 h(Domain(polygon), 1e-6);
-  CHECK(h.error_bound() <= 1e-6);
-  double sum = 0;
-  for (const Jet<0>& lambda : evaluate<0>(h, {0.01, 0.02}))
-    sum += lambda[0];
-  CHECK(sum == Approx(1).epsilon(0).margin(1e-14));
+  for (const Points& polygon : {star_shaped_polygon(random, 200, 0.6), comb(64)}) {
+    const Harmonic_coordinates_2 h(Domain(polygon), 1e-6);
+    CHECK(h.error_bound() <= 1e-6);
+    double sum = 0;
+    for (const Jet<0>& lambda : evaluate<0>(h, {0.01, 0.02}))
+      sum += lambda[0];
+    CHECK(sum == Approx(1).epsilon(0).margin(1e-14));
+  }
+}
+
+// Without it, a comb's back would be joined to all teeth from its two ends.
+TEST_CASE("A long side is cut where vertices are near, unless others are nearer", "[harmonic]") {
+  using MP::internal::harmonic::Side_subdivision;
+  const auto subdivision = [](const Points& polygon, double min_distance) {
+    std::vector<MP::internal::harmonic::Complex> vertices;
+    std::vector<std::size_t> next;
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+      vertices.emplace_back(polygon[k].x(), polygon[k].y());
+      next.push_back((k + 1) % polygon.size());
+    }
+    const MP::internal::harmonic::Boundary boundary(vertices, next);
+    return Side_subdivision(boundary, min_distance).parameters(0);
+  };
+  std::vector<double> expected;
+  for (int k = 1; k <= 30; ++k)
+    expected.push_back(k / 31.);
+  CHECK_THAT(subdivision(comb(16), 0.1), Catch::Matchers::Approx(expected));
+  CHECK(subdivision(comb(16), 4).empty());
+  CHECK(subdivision(comb(2), 0.1).empty());
+  // The middle vertex hides the one above it, and is nearer than its neighbours.
+  const Points dented{{0, 0}, {20, 0}, {20, 3}, {10.2, 2}, {10, 0.5}, {9.9, 2}, {0, 3}};
+  CHECK_THAT(subdivision(dented, 0.1), Catch::Matchers::Approx(std::vector<double>{0.5}));
 }
 
 TEST_CASE("An accuracy out of reach is refused with what was reached", "[harmonic]") {

@@ -124,7 +124,7 @@ public:
     set_vertex_probes(boundary);
     correction_ = internal::harmonic::Affine_correction(vertices_);
     solve<ConcurrencyTag>(boundary,
-                          internal::harmonic::triangulate_boundary(exact, next, vertices_),
+                          internal::harmonic::triangulate_boundary(std::move(exact), boundary),
                           target_error, (std::max)(target_error, acceptable_error));
   }
 

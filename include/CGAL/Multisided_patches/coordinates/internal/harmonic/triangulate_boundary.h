@@ -7,6 +7,7 @@
 #define CGAL_MULTISIDED_PATCHES_COORDINATES_INTERNAL_HARMONIC_TRIANGULATE_BOUNDARY_H
 
 #include <CGAL/Multisided_patches/coordinates/internal/harmonic/Bisection_mesh.h>
+#include <CGAL/Multisided_patches/coordinates/internal/harmonic/Side_subdivision.h>
 #include <CGAL/Multisided_patches/internal/Boundary_triangulation.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -16,15 +17,34 @@ namespace Multisided_patches {
 namespace internal {
 namespace harmonic {
 
-// the constrained Delaunay triangulation of the domain; the point of vertex k is points[k].
+// the constrained Delaunay triangulation of the domain, with some more points on its sides; the
+// point of vertex k is number k.
 //
-// The combinatorics come from `exact`, the coordinates as they were given: points are the same up
-// to a translation, whose rounding could make a thin triangle lie the wrong way round.
-inline Bisection_mesh triangulate_boundary(const std::vector<Complex>& exact,
-                                           const std::vector<std::size_t>& next,
-                                           const std::vector<Complex>& points) {
+// The combinatorics come from `exact`, the coordinates as they were given: those of the boundary
+// are the same up to a translation, whose rounding could make a thin triangle lie the wrong way
+// round.
+inline Bisection_mesh triangulate_boundary(std::vector<Complex> exact, const Boundary& boundary) {
   using Kernel = Exact_predicates_inexact_constructions_kernel;
   using Triangulation = Boundary_triangulation<Kernel>;
+  double largest = 0;
+  for (const Complex& z : exact)
+    largest = (std::max)(largest, std::abs(z));
+  const Side_subdivision subdivision(boundary, 1e-10 * largest);
+
+  std::vector<Complex> points = boundary.vertices();
+  std::vector<std::size_t> next(boundary.size());
+  for (std::size_t k = 0; k < boundary.size(); ++k) {
+    std::size_t last = k;
+    const auto go_to = [&](std::size_t i) { last = next[last] = i; };
+    const std::size_t end = boundary.next(k);
+    for (const double t : subdivision.parameters(k)) {
+      go_to(points.size());
+      points.push_back(points[k] + t * (points[end] - points[k]));
+      exact.push_back(exact[k] + t * (exact[end] - exact[k]));
+      next.emplace_back();
+    }
+    go_to(end);
+  }
   std::vector<Kernel::Point_2> vertices;
   for (const Complex& z : exact)
     vertices.emplace_back(z.real(), z.imag());
@@ -39,7 +59,7 @@ inline Bisection_mesh triangulate_boundary(const std::vector<Complex>& exact,
           t.neighbors[i] == Triangulation::none ? Bisection_mesh::none : t.neighbors[i];
     }
   }
-  return Bisection_mesh(points, std::move(triangles));
+  return Bisection_mesh(std::move(points), std::move(triangles));
 }
 
 } // namespace harmonic
