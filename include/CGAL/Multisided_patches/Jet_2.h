@@ -33,9 +33,9 @@ public:
   static constexpr std::size_t size = (order + 1) * (order + 2) / 2;
 
   //! the constant 0
-  Jet_2() : data_{} {}
+  Jet_2() { data_.fill(FT(0)); } // FT() need not be 0, as for CGAL's lazy numbers
   //! a constant; its derivatives are 0
-  Jet_2(const FT& constant) : data_{} { data_[0] = constant; }
+  Jet_2(const FT& constant) : Jet_2() { data_[0] = constant; }
 
   //! the first variable, at `u`
   static Jet_2 u_variable(const FT& u) { return variable(u, 1); }

@@ -16,6 +16,7 @@
 #include <boost/container/small_vector.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -69,6 +70,7 @@ public:
   //! the index of the central control point
   std::size_t central_index() const { return size_; }
   Central_weight central_weight() const { return central_weight_; }
+  double parameter_dilation() const { return parameter_dilation_; }
 
   /*!
    * computes all weights from barycentric coordinates.
@@ -79,32 +81,62 @@ public:
    * \param lambda the coordinates
    * \param weights receives `size()` weights whose sum is 1
    *
-   * Complexity: linear in the number of control points, and quadratic in the degree.
+   * Complexity: linear in the number of control points.
    */
   template <typename T, typename Domain>
   void evaluate(const Domain& domain, const T* lambda, T* weights) const {
+    const Factors<T> factors = compute_factors(domain, lambda);
+    const T inverse = inverse_of_sum(factors);
+    T* w = weights;
+    for (const Side_factors<T>& side : factors.sides)
+      for (const T& across : side.across) {
+        const T scaled = across * inverse;
+        for (const T& along : side.along)
+          *w++ = along * scaled;
+      }
+    *w = factors.central * inverse;
+  }
+
+  /*!
+   * computes the sum of all control points times their weights, at less cost than with weights from
+   * `evaluate()`.
+   *
+   * \tparam T the number type, a `Jet_2`
+   * \tparam Point an indexable type with three coordinates
+   *
+   * \param domain,lambda as for `evaluate()`
+   * \param control_net all control points, in the order of their indices
+   *
+   * Complexity: linear in the number of control points.
+   */
+  template <typename T, typename Domain, typename Point>
+  std::array<T, 3> combine(const Domain& domain, const T* lambda,
+                           const std::vector<Point>& control_net) const {
     using FT = typename T::FT;
-    CGAL_precondition(domain.size() == number_of_sides());
-    const std::size_t n = number_of_sides();
-    boost::container::small_vector<Side_parameter<T>, 16> parameters(n);
-    compute_side_parameters(domain, lambda, FT(parameter_dilation_), parameters);
-
-    boost::container::small_vector<T, 16> at_start(n), at_end(n);
-    for (std::size_t i = 0; i < n; ++i)
-      share_corner(parameters, domain.prev(i), i, at_end[domain.prev(i)], at_start[i]);
-
-    T sum;
-    for (std::size_t i = 0; i < n; ++i)
-      sum += side_weights(sides_[i], parameters[i], at_start[i], at_end[i], weights);
-    T& central = weights[central_index()];
-    if (central_weight_ == Central_weight::weight_deficiency) {
-      central = T(FT(1)) - sum;
-      return;
+    const Factors<T> factors = compute_factors(domain, lambda);
+    // As the weights sum to 1, any point may be the origin. Near a corner it has to be that corner:
+    // the derivatives of its two weights grow without bound there, and only their sum does not.
+    const Point& origin = control_net[index(nearest_vertex(lambda), 0, 0)];
+    const std::array<FT, 3> o{FT(origin[0]), FT(origin[1]), FT(origin[2])};
+    std::array<T, 3> sum;
+    auto point = control_net.begin();
+    for (const Side_factors<T>& side : factors.sides)
+      for (const T& across : side.across) {
+        std::array<T, 3> row;
+        for (const T& along : side.along) {
+          for (std::size_t c = 0; c < 3; ++c)
+            row[c] += along * FT(FT((*point)[c]) - o[c]);
+          ++point;
+        }
+        for (std::size_t c = 0; c < 3; ++c)
+          sum[c] += across * row[c];
+      }
+    const T inverse = inverse_of_sum(factors);
+    for (std::size_t c = 0; c < 3; ++c) {
+      sum[c] += factors.central * FT(FT((*point)[c]) - o[c]);
+      sum[c] = sum[c] * inverse + T(o[c]);
     }
-    central = central_product<T>(domain, parameters);
-    sum += central;
-    for (std::size_t i = 0; i < size(); ++i)
-      weights[i] /= sum;
+    return sum;
   }
 
 private:
@@ -118,33 +150,135 @@ private:
                     T& weight_out) const {
     using FT = typename T::FT;
     const std::size_t p = (std::max)(sides_[in].layers, sides_[out].layers);
-    const T h_in = internal::integer_power(parameters[in].h, p);
-    const T h_out = internal::integer_power(parameters[out].h, p);
-    const T sum = h_in + h_out;
+    const T &h_in = parameters[in].h, &h_out = parameters[out].h;
     // At the corner itself both sides have the same point, and only the sum of the weights matters.
-    const bool at_corner = sum.value() == FT(0);
-    weight_in = at_corner ? T(FT(1) / FT(2)) : h_out / sum;
-    weight_out = at_corner ? T(FT(1) / FT(2)) : h_in / sum;
+    if (h_in.value() == FT(0) && h_out.value() == FT(0)) {
+      weight_in = weight_out = T(FT(1) / FT(2));
+      return;
+    }
+    // The power of the quotient does not underflow, however close to the corner.
+    const auto magnitude = [](const T& h) {
+      return FT(h.value() < FT(0) ? FT(-h.value()) : h.value());
+    };
+    const bool nearer_to_in = magnitude(h_in) <= magnitude(h_out);
+    const T power = internal::integer_power(nearer_to_in ? h_in / h_out : h_out / h_in, p);
+    const T larger = T(FT(1)) / (T(FT(1)) + power), smaller = power * larger;
+    weight_in = nearer_to_in ? larger : smaller;
+    weight_out = nearer_to_in ? smaller : larger;
+  }
+
+  // The weights of a side, before normalization, are products of one factor for the column, which
+  // has the corner weight, and one for the row.
+  template <typename T>
+  struct Side_factors {
+    boost::container::small_vector<T, 8> along, across;
+  };
+  template <typename T>
+  struct Factors {
+    boost::container::small_vector<Side_factors<T>, 8> sides;
+    T central, sum; // the sum is that of all weights before normalization
+  };
+
+  template <typename T, typename Domain>
+  Factors<T> compute_factors(const Domain& domain, const T* lambda) const {
+    using FT = typename T::FT;
+    CGAL_precondition(domain.size() == number_of_sides());
+    const std::size_t n = number_of_sides();
+    boost::container::small_vector<Side_parameter<T>, 16> parameters(n);
+    compute_side_parameters(domain, lambda, FT(parameter_dilation_), parameters);
+    boost::container::small_vector<T, 16> at_start(n), at_end(n);
+    for (std::size_t i = 0; i < n; ++i)
+      share_corner(parameters, domain.prev(i), i, at_end[domain.prev(i)], at_start[i]);
+
+    Factors<T> factors;
+    factors.sides.resize(n);
+    boost::container::small_vector<Side_sums<T>, 16> sums(n);
+    for (std::size_t i = 0; i < n; ++i)
+      sums[i] =
+          set_side_factors(sides_[i], parameters[i], at_start[i], at_end[i], factors.sides[i]);
+    const std::size_t out = nearest_vertex(lambda), in = domain.prev(out);
+    T deficiency =
+        lost_at_corner(sides_[in], parameters[in], sums[in], sums[in].near_start) * at_end[in] +
+        lost_at_corner(sides_[out], parameters[out], sums[out], sums[out].near_end) * at_start[out];
+    for (std::size_t i = 0; i < n; ++i) {
+      T along = sums[i].middle;
+      if (i != out)
+        along += sums[i].near_start * at_start[i];
+      if (i != in)
+        along += sums[i].near_end * at_end[i];
+      deficiency -= along * sums[i].across;
+    }
+
+    factors.sum = T(FT(1));
+    if (central_weight_ == Central_weight::weight_deficiency) {
+      factors.central = deficiency;
+    } else {
+      factors.central = central_product<T>(domain, parameters);
+      factors.sum += factors.central - deficiency;
+    }
+    return factors;
   }
 
   template <typename T>
-  static T side_weights(const Side& side, const Side_parameter<T>& parameter, const T& at_start,
-                        const T& at_end, T* weights) {
-    const std::size_t d = side.degree, cross_degree = 2 * side.layers - 1;
-    boost::container::small_vector<T, 8> along(d + 1), across(cross_degree + 1);
-    internal::bernstein_polynomials(d, parameter.s, along.data());
-    internal::bernstein_polynomials(cross_degree, parameter.h, across.data());
-    for (std::size_t j = 0; j <= d; ++j)
+  std::size_t nearest_vertex(const T* lambda) const {
+    std::size_t nearest = 0;
+    for (std::size_t i = 1; i < number_of_sides(); ++i)
+      if (lambda[nearest].value() < lambda[i].value())
+        nearest = i;
+    return nearest;
+  }
+
+  template <typename T>
+  static T inverse_of_sum(const Factors<T>& factors) {
+    return T(typename T::FT(1)) / factors.sum;
+  }
+
+  // The sums of the Bernstein polynomials of a side: of the columns nearer to its start, without
+  // their corner weight, of the one in the middle, if there is one, of those nearer to the end, and
+  // of the rows.
+  template <typename T>
+  struct Side_sums {
+    T near_start, middle, near_end, across;
+  };
+
+  template <typename T>
+  static Side_sums<T> set_side_factors(const Side& side, const Side_parameter<T>& parameter,
+                                       const T& at_start, const T& at_end,
+                                       Side_factors<T>& factors) {
+    const std::size_t d = side.degree;
+    factors.along.resize(d + 1);
+    factors.across.resize(side.layers);
+    internal::bernstein_polynomials(d, d + 1, parameter.s, parameter.one_minus_s,
+                                    factors.along.data());
+    internal::bernstein_polynomials(2 * side.layers - 1, side.layers, parameter.h,
+                                    parameter.one_minus_h, factors.across.data());
+    Side_sums<T> sums;
+    for (std::size_t j = 0; j <= d; ++j) {
+      T& factor = factors.along[j];
+      (2 * j < d ? sums.near_start : 2 * j > d ? sums.near_end : sums.middle) += factor;
       if (2 * j != d)
-        along[j] *= 2 * j < d ? at_start : at_end;
-    T sum;
-    T* w = weights + side.offset;
-    for (std::size_t k = 0; k < side.layers; ++k)
-      for (std::size_t j = 0; j <= d; ++j, ++w) {
-        *w = along[j] * across[k];
-        sum += *w;
-      }
-    return sum;
+        factor *= 2 * j < d ? at_start : at_end;
+    }
+    for (const T& factor : factors.across)
+      sums.across += factor;
+    return sums;
+  }
+
+  // What the polynomials of a side near one of its ends lack to 1; `far` is the sum of the columns
+  // nearer to the other end. The two corner weights of an end have the sum 1, so these deficits
+  // make up that of all weights there. Close to the corner, where the deficit is small and is
+  // multiplied by the large derivatives of the corner weights, it has to be the sum of the other
+  // polynomials.
+  template <typename T>
+  static T lost_at_corner(const Side& side, const Side_parameter<T>& parameter,
+                          const Side_sums<T>& sums, const T& far) {
+    boost::container::small_vector<T, 8> inner_rows(side.layers);
+    internal::bernstein_polynomials(2 * side.layers - 1, side.layers, parameter.one_minus_h,
+                                    parameter.h, inner_rows.data());
+    T lost;
+    for (const T& row : inner_rows)
+      lost += row;
+    return lost + (far + sums.middle) * sums.across;
   }
 
   template <typename T, typename Domain, typename Parameters>
@@ -155,7 +289,7 @@ private:
     switch (central_weight_) {
     case Central_weight::adjacent_products: {
       const auto bump = [&](std::size_t i) {
-        return internal::integer_power(parameters[i].h * (T(FT(1)) - parameters[i].h), 2);
+        return internal::integer_power(parameters[i].h * parameters[i].one_minus_h, 2);
       };
       // Of three sides two always are adjacent to the third, on which their product is not 0.
       if (n == 3)

@@ -199,12 +199,20 @@ public:
 
 #ifndef DOXYGEN_RUNNING
   // Called by the base class.
-  template <int Order>
-  void evaluate_formula(const Point_2& p, const Location& location,
-                        Jet_2<FT, Order>* lambda) const {
-    const bool at_vertex = location.kind == Location::Kind::vertex;
-    const Complex z = at_vertex ? vertex_probes_[location.index] : normalized(p);
-    evaluate_in_cell(basis_.locate(z), z, lambda);
+  template <int Order, typename Real>
+  void evaluate_formula(const Real& u, const Real& v, const Domain_location<Real>& location,
+                        Jet_2<Real, Order>* lambda) const {
+    const bool at_vertex = location.kind == Domain_location<Real>::Kind::vertex;
+    if constexpr (std::is_same_v<Real, FT>) {
+      const Complex z = at_vertex ? vertex_probes_[location.index] : normalized(Point_2(u, v));
+      evaluate_in_cell(basis_.locate(z), z, lambda);
+    } else {
+      static_assert(std::is_floating_point_v<Real>,
+                    "harmonic coordinates are approximated in double precision: other number types "
+                    "would not be more exact. Take their values, and go on with these exactly.");
+      const Complex z = at_vertex ? vertex_probes_[location.index] / scale_ + centre_ : Complex();
+      evaluate_extended(at_vertex ? Real(z.real()) : u, at_vertex ? Real(z.imag()) : v, lambda);
+    }
     if constexpr (Order >= 1)
       if (at_vertex && this->domain().corner_type(location.index) == Corner_type::convex)
         set_gradients_at_convex_vertex(location.index, lambda);
@@ -352,8 +360,8 @@ private:
   }
 
   // the affine functions with the slopes of the hat functions along both sides
-  template <int Order>
-  void set_gradients_at_convex_vertex(std::size_t k, Jet_2<FT, Order>* lambda) const {
+  template <typename Jet>
+  void set_gradients_at_convex_vertex(std::size_t k, Jet* lambda) const {
     const std::size_t next = this->domain().next(k), prev = this->domain().prev(k);
     const Complex a = vertices_[next] - vertices_[k], b = vertices_[prev] - vertices_[k];
     const double area = internal::harmonic::cross(a, b) / scale_;
@@ -366,10 +374,10 @@ private:
     set_gradient(lambda[k], -gradient_next - gradient_prev);
   }
 
-  template <int Order>
-  static void set_gradient(Jet_2<FT, Order>& jet, const Complex& gradient) {
-    jet[1] = static_cast<FT>(gradient.real());
-    jet[2] = static_cast<FT>(gradient.imag());
+  template <typename Jet>
+  static void set_gradient(Jet& jet, const Complex& gradient) {
+    jet[1] = typename Jet::FT(gradient.real());
+    jet[2] = typename Jet::FT(gradient.imag());
   }
 
   Complex centre_ = 0;

@@ -7,6 +7,7 @@
 #define CGAL_MULTISIDED_PATCHES_MEAN_VALUE_COORDINATES_2_H
 
 #include <CGAL/Multisided_patches/coordinates/internal/Coordinates_base.h>
+#include <CGAL/Multisided_patches/coordinates/internal/vertex_offsets.h>
 
 #include <boost/container/small_vector.hpp>
 
@@ -30,6 +31,9 @@ namespace Multisided_patches {
  * on the sides as well. At a vertex the coordinates are not differentiable; the derivatives
  * returned there are 0.
  *
+ * The formulas are generic in the number type, which must have a square root: evaluated with 100
+ * digits, of `boost::multiprecision` for instance, they are the yardstick for `double`.
+ *
  * \cgalModels{BarycentricCoordinates_2}
  *
  * \tparam Traits a CGAL kernel with exact predicates whose number type has a square root
@@ -49,37 +53,37 @@ public:
 
 #ifndef DOXYGEN_RUNNING
   // Called by the base class. O(n).
-  template <int Order>
-  void evaluate_formula(const Point_2& p, const Location& location,
-                        Jet_2<FT, Order>* lambda) const {
-    using Jet = Jet_2<FT, Order>;
+  template <int Order, typename Real>
+  void evaluate_formula(const Real& u, const Real& v, const Domain_location<Real>& location,
+                        Jet_2<Real, Order>* lambda) const {
+    using Jet = Jet_2<Real, Order>;
+    using Kind = typename Domain_location<Real>::Kind;
     const Domain& domain = this->domain();
     const std::size_t n = domain.size();
-    if (location.kind == Location::Kind::vertex) {
+    if (location.kind == Kind::vertex) {
       std::fill(lambda, lambda + n, Jet());
       return;
     }
 
-    boost::container::small_vector<Jet, 32> x(n), y(n), r(n);
-    for (std::size_t j = 0; j < n; ++j) {
-      x[j] = domain.vertex(j).x() - Jet::u_variable(p.x());
-      y[j] = domain.vertex(j).y() - Jet::v_variable(p.y());
-      r[j] = sqrt(x[j] * x[j] + y[j] * y[j]);
-    }
-    boost::container::small_vector<Jet, 32> cross(n), dot(n), rr(n), tangent(n);
+    const internal::Vertex_offsets<Real> offsets(domain, u, v, location);
+    boost::container::small_vector<Jet, 32> r(n), cross(n), dot(n), rr(n), tangent(n);
+    for (std::size_t j = 0; j < n; ++j)
+      r[j] = offsets.template distance<Order>(j);
     for (std::size_t j = 0; j < n; ++j) {
       const std::size_t k = domain.next(j);
-      cross[j] = x[j] * y[k] - x[k] * y[j];
-      dot[j] = x[j] * x[k] + y[j] * y[k];
+      cross[j] = offsets.template cross<Order>(j, k);
+      dot[j] = offsets.template dot<Order>(j, k);
       rr[j] = r[j] * r[k];
     }
+    if (location.kind == Kind::side)
+      cross[location.index][0] = Real(0);
 
     const std::size_t widest =
-        location.kind == Location::Kind::side ? location.index : widest_side(cross, dot, rr);
+        location.kind == Kind::side ? location.index : widest_side<Real>(cross, dot, rr);
     for (std::size_t j = 0; j < n; ++j)
-      tangent[j] = j == widest              ? rr[j] - dot[j]
-                   : dot[j].value() < FT(0) ? cross[widest] * (rr[j] - dot[j]) / cross[j]
-                                            : cross[widest] * cross[j] / (rr[j] + dot[j]);
+      tangent[j] = j == widest                ? rr[j] - dot[j]
+                   : dot[j].value() < Real(0) ? cross[widest] * (rr[j] - dot[j]) / cross[j]
+                                              : cross[widest] * cross[j] / (rr[j] + dot[j]);
     Jet sum;
     for (std::size_t i = 0; i < n; ++i) {
       lambda[i] = (tangent[domain.prev(i)] + tangent[i]) / r[i];
@@ -92,14 +96,14 @@ public:
 
 private:
   // The side seen at the largest positive angle: the largest tangent of half of it.
-  template <typename Jets>
+  template <typename Real, typename Jets>
   static std::size_t widest_side(const Jets& cross, const Jets& dot, const Jets& rr) {
     std::size_t widest = 0;
-    FT largest(-1);
+    Real largest(-1);
     for (std::size_t j = 0; j < cross.size(); ++j) {
-      if (!(cross[j].value() > FT(0)))
+      if (!(cross[j].value() > Real(0)))
         continue;
-      const FT tangent = (rr[j].value() - dot[j].value()) / cross[j].value();
+      const Real tangent = (rr[j].value() - dot[j].value()) / cross[j].value();
       if (tangent > largest) {
         largest = tangent;
         widest = j;

@@ -7,6 +7,7 @@
 #define CGAL_MULTISIDED_PATCHES_WACHSPRESS_COORDINATES_2_H
 
 #include <CGAL/Multisided_patches/coordinates/internal/Coordinates_base.h>
+#include <CGAL/Multisided_patches/coordinates/internal/vertex_offsets.h>
 #include <CGAL/Multisided_patches/errors.h>
 
 #include <boost/container/small_vector.hpp>
@@ -55,37 +56,35 @@ public:
       if (type != Corner_type::convex)
         throw Input_error("Wachspress coordinates need a strictly convex domain; corner " +
                           std::to_string(i) + " is " + to_string(type));
-      const Point_2& next = domain.vertex(domain.next(i));
-      corner_areas_.push_back(
-          twice_area<FT>(domain.vertex(domain.prev(i)), domain.vertex(i), next.x(), next.y()));
+      const auto a = domain.vertex(domain.prev(i)) - domain.vertex(i),
+                 b = domain.vertex(domain.next(i)) - domain.vertex(i);
+      corner_areas_.push_back(b.x() * a.y() - b.y() * a.x());
     }
   }
 
 #ifndef DOXYGEN_RUNNING
   // Called by the base class. O(n).
-  template <int Order>
-  void evaluate_formula(const Point_2& p, const Location&, Jet_2<FT, Order>* lambda) const {
-    using Jet = Jet_2<FT, Order>;
+  template <int Order, typename Real>
+  void evaluate_formula(const Real& u, const Real& v, const Domain_location<Real>& location,
+                        Jet_2<Real, Order>* lambda) const {
+    using Jet = Jet_2<Real, Order>;
+    using Kind = typename Domain_location<Real>::Kind;
     const Domain& domain = this->domain();
     const std::size_t n = domain.size();
-    const Jet u = Jet::u_variable(p.x()), v = Jet::v_variable(p.y());
 
+    const internal::Vertex_offsets<Real> offsets(domain, u, v, location);
     boost::container::small_vector<Jet, 32> area(n);
     for (std::size_t j = 0; j < n; ++j)
-      area[j] = twice_area(domain.vertex(j), domain.vertex(domain.next(j)), u, v);
-    std::size_t m = 0;
-    const auto product = [&](std::size_t i) {
-      return FT(area[domain.prev(i)].value() * area[i].value());
-    };
-    for (std::size_t i = 1; i < n; ++i)
-      if (product(i) < product(m))
-        m = i;
+      area[j] = offsets.template cross<Order>(j, domain.next(j));
+    if (location.kind == Kind::side)
+      area[location.index][0] = Real(0);
+    const std::size_t m = location.is_on_boundary() ? location.index : smallest_product<Real>(area);
 
     const std::size_t before_m = domain.prev(m);
     Jet sum;
     for (std::size_t i = 0; i < n; ++i) {
       const std::size_t before = domain.prev(i);
-      lambda[i] = Jet(corner_areas_[i]);
+      lambda[i] = Jet(Real(corner_areas_[i]));
       for (const std::size_t j : {before_m, m})
         if (j != before && j != i)
           lambda[i] *= area[j];
@@ -100,9 +99,17 @@ public:
 #endif
 
 private:
-  template <typename T>
-  static T twice_area(const Point_2& a, const Point_2& b, const T& u, const T& v) {
-    return (v - a.y()) * FT(b.x() - a.x()) - (u - a.x()) * FT(b.y() - a.y());
+  // the vertex for which the product of the areas at its two sides is smallest
+  template <typename Real, typename Jets>
+  std::size_t smallest_product(const Jets& area) const {
+    const auto product = [&](std::size_t i) {
+      return Real(area[this->domain().prev(i)].value() * area[i].value());
+    };
+    std::size_t smallest = 0;
+    for (std::size_t i = 1; i < area.size(); ++i)
+      if (product(i) < product(smallest))
+        smallest = i;
+    return smallest;
   }
 
   std::vector<FT> corner_areas_;

@@ -15,8 +15,10 @@ namespace internal {
 // base^exponent for any number type, jets included.
 template <typename T>
 T integer_power(const T& base, std::size_t exponent) {
-  T result(1);
-  for (std::size_t i = 0; i < exponent; ++i)
+  if (exponent == 0)
+    return T(1);
+  T result = base;
+  for (std::size_t i = 1; i < exponent; ++i)
     result = result * base;
   return result;
 }

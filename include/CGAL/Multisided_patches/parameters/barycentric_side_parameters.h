@@ -13,10 +13,14 @@
 namespace CGAL {
 namespace Multisided_patches {
 
-//! The parameters of one side: `s` runs from 0 to 1 along it, `h` is 0 on it and grows inwards.
+/*!
+ * The parameters of one side: `s` runs from 0 to 1 along it, `h` is 0 on it and grows inwards.
+ * Their complements are kept as well: as differences from 1 they would lose the digits on which
+ * derivatives depend near a corner.
+ */
 template <typename T>
 struct Side_parameter {
-  T s, h;
+  T s, one_minus_s, h, one_minus_h;
 };
 
 namespace internal {
@@ -86,12 +90,22 @@ void compute_side_parameters(const Domain& domain, const T* lambda, const typena
   internal::sums_of_others(domain, lambda, parameters);
   for (std::size_t i = 0; i < domain.size(); ++i) {
     const std::size_t next = domain.next(i), prev = domain.prev(i), after = domain.next(next);
+    Side_parameter<T>& parameter = parameters[i];
     const T sum = lambda[i] + lambda[next];
-    parameters[i].s =
-        sum.value() == FT(0) ? internal::limit_of_s(lambda[next], sum) : lambda[next] / sum;
+    if (sum.value() == FT(0)) {
+      parameter.s = internal::limit_of_s(lambda[next], sum);
+      parameter.one_minus_s = T(FT(1)) - parameter.s;
+    } else {
+      parameter.s = lambda[next] / sum; // exactly 1 where λ_i is 0
+      parameter.one_minus_s = lambda[i] / sum;
+    }
+    parameter.one_minus_h = sum;
     // On loops of 3 or 4 sides λ_{i-1} and λ_{i+2} are not 0 on all other sides, as h needs.
-    if (dilation != FT(0) && after != prev && domain.next(after) != prev)
-      parameters[i].h *= T(FT(1)) - lambda[prev] * lambda[after] * dilation;
+    if (dilation != FT(0) && after != prev && domain.next(after) != prev) {
+      const T reduction = lambda[prev] * lambda[after] * dilation;
+      parameter.one_minus_h += parameter.h * reduction;
+      parameter.h *= T(FT(1)) - reduction;
+    }
   }
 }
 

@@ -57,8 +57,8 @@ public:
   using Domain = Polygonal_domain_2<Traits>;
   using Location = typename Domain::Location;
   //! x, y and z as functions of (u,v): a point of the surface with its partial derivatives
-  template <int Order>
-  using Surface_jet = std::array<Jet_2<FT, Order>, 3>;
+  template <int Order, typename Real = FT>
+  using Surface_jet = std::array<Jet_2<Real, Order>, 3>;
 
   /*!
    * makes the domain with `make_domain()`, its coordinates, and the basis.
@@ -130,16 +130,35 @@ public:
    */
   template <int Order>
   Surface_jet<Order> evaluate(const Point_2& uv, const Location& location) const {
-    using Jet = Jet_2<FT, Order>;
-    boost::container::small_vector<Jet, 16> lambda(domain().size());
-    boost::container::small_vector<Jet, 128> weights(basis_.size());
+    boost::container::small_vector<Jet_2<FT, Order>, 16> lambda(domain().size());
     coordinates_.template evaluate<Order>(uv, location, lambda.data());
-    basis_.evaluate(domain(), lambda.data(), weights.data());
-    Surface_jet<Order> surface;
-    for (std::size_t i = 0; i < basis_.size(); ++i)
-      for (std::size_t c = 0; c < 3; ++c)
-        surface[c] += weights[i] * control_net_[i][c];
-    return surface;
+    return combine(lambda.data());
+  }
+
+  /*!
+   * the same computed in another number type, into which those of the domain and of the control
+   * points convert without loss: an exact one, or a floating-point type with more digits, tells how
+   * exact the result in `FT` is.
+   *
+   * \tparam Real a field number type; `Coordinates` says which it can do with
+   */
+  template <int Order, typename Real>
+  Surface_jet<Order, Real> evaluate(const Real& u, const Real& v,
+                                    const Domain_location<Real>& location) const {
+    boost::container::small_vector<Jet_2<Real, Order>, 16> lambda(domain().size());
+    coordinates_.template evaluate<Order>(u, v, location, lambda.data());
+    return combine(lambda.data());
+  }
+
+  /*!
+   * the point and its derivatives from coordinates that were computed elsewhere, in any number
+   * type: what follows is as exact as that type.
+   *
+   * \param lambda the coordinates of all vertices, with derivatives up to `Order`
+   */
+  template <int Order, typename Real>
+  Surface_jet<Order, Real> combine(const Jet_2<Real, Order>* lambda) const {
+    return basis_.combine(domain(), lambda, control_net_);
   }
 
   //! the same for a point of which only the position is known. \throws Outside_domain_error

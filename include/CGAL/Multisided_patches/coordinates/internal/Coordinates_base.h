@@ -23,9 +23,9 @@ namespace internal {
 // its boundary from the linear functions there, not from a formula that may round.
 //
 // Derived gives
-//   template <int Order>
-//   void evaluate_formula(const Point_2& p, const Location& location, Jet_2<FT, Order>* lambda)
-//   const
+//   template <int Order, typename Real>
+//   void evaluate_formula(const Real& u, const Real& v, const Domain_location<Real>& location,
+//                         Jet_2<Real, Order>* lambda) const
 // which is called for points inside, and, if Order > 0, on the boundary for the derivatives.
 template <typename Derived, typename Traits>
 class Coordinates_base {
@@ -42,9 +42,15 @@ public:
 
   template <int Order>
   void evaluate(const Point_2& p, const Location& location, Jet_2<FT, Order>* lambda) const {
-    CGAL_precondition(location.kind != Location::Kind::outside);
+    evaluate<Order, FT>(p.x(), p.y(), location, lambda);
+  }
+
+  template <int Order, typename Real>
+  void evaluate(const Real& u, const Real& v, const Domain_location<Real>& location,
+                Jet_2<Real, Order>* lambda) const {
+    CGAL_precondition(location.kind != Domain_location<Real>::Kind::outside);
     if (Order > 0 || !location.is_on_boundary())
-      static_cast<const Derived&>(*this).template evaluate_formula<Order>(p, location, lambda);
+      static_cast<const Derived&>(*this).template evaluate_formula<Order>(u, v, location, lambda);
     if (location.is_on_boundary())
       set_boundary_values(location, lambda);
   }
@@ -60,15 +66,16 @@ public:
   }
 
 private:
-  template <int Order>
-  void set_boundary_values(const Location& location, Jet_2<FT, Order>* lambda) const {
+  template <int Order, typename Real>
+  void set_boundary_values(const Domain_location<Real>& location,
+                           Jet_2<Real, Order>* lambda) const {
     for (std::size_t i = 0; i < domain_.size(); ++i)
-      lambda[i][0] = FT(0);
+      lambda[i][0] = Real(0);
     const std::size_t i = location.index;
-    if (location.kind == Location::Kind::vertex) {
-      lambda[i][0] = FT(1);
+    if (location.kind == Domain_location<Real>::Kind::vertex) {
+      lambda[i][0] = Real(1);
     } else {
-      lambda[i][0] = FT(1) - location.s;
+      lambda[i][0] = Real(1) - location.s;
       lambda[domain_.next(i)][0] = location.s;
     }
   }
