@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace multipatch {
 
@@ -34,6 +35,7 @@ struct Patch_options {
   std::optional<double> clearance;
   std::optional<CGAL::Multisided_patches::Central_weight> central_weight;
   Coordinates_choice coordinates = Coordinates_choice::harmonic;
+  bool elevate = false; // degrees, as far as the layers of the ribbons need it
 };
 
 struct Mesh_options {
@@ -63,6 +65,24 @@ struct Coordinates_options {
   bool quiet = false;
 };
 
+struct Check_options {
+  Patch_options patch; // without its input
+  std::vector<std::string> inputs;
+  std::size_t samples = 32;
+  double position_tolerance = 1e-6; // relative to the diagonal of the bounding box
+  double plane_tolerance = 1e-3;    // degrees
+  double curvature_tolerance = 1e-3;
+  std::string json; // "-" is standard output
+  bool quiet = false;
+};
+
+struct Exact_options {
+  Patch_options patch;
+  std::size_t samples = 20;
+  std::string json; // "-" is standard output
+  bool quiet = false;
+};
+
 // Reads the input file and lets the options override what it says.
 Model read_model(const Patch_options& options);
 
@@ -71,17 +91,24 @@ double degrees(double radians);
 // Says on standard error where no surface can meet both ribbons of a corner.
 void warn_of_mismatches(const Model& model);
 
+// Prints where the patch does not have the derivatives that the layers of a ribbon promise, a line
+// for each side, and what would help.
+void print_contact_shortfalls(const Model& model);
+
 // Throws if an index that was given with an option is not one of n sides.
 void check_index(std::size_t index, std::size_t n, const std::string& option);
 
 // Prints the remarks of a report, a line each.
 void print_remarks(const CGAL::Multisided_patches::Domain_report& report);
 
-// The four commands. They throw CGAL::Multisided_patches::Error on bad input.
+// The six commands. They throw CGAL::Multisided_patches::Error on bad input.
 void mesh_command(const Mesh_options& options);
 void info_command(const std::string& input);
 void domain_command(const Domain_picture_options& options);
 void coordinates_command(const Coordinates_options& options);
+// Throws an error, too, if a tolerance is exceeded.
+void check_command(const Check_options& options);
+void exact_command(const Exact_options& options);
 
 } // namespace multipatch
 

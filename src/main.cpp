@@ -24,7 +24,7 @@ namespace {
 namespace MP = CGAL::Multisided_patches;
 using namespace multipatch;
 
-void add_domain_options(CLI::App& command, Patch_options& options, const std::string& input) {
+void add_domain_options(CLI::App& command, Patch_options& options) {
   static const std::map<std::string, MP::Domain_generator> domains{
       {"automatic", MP::Domain_generator::automatic},
       {"projected", MP::Domain_generator::projected},
@@ -36,7 +36,6 @@ void add_domain_options(CLI::App& command, Patch_options& options, const std::st
       {"harmonic", Coordinates_choice::harmonic},
       {"mean-value", Coordinates_choice::mean_value},
       {"wachspress", Coordinates_choice::wachspress}};
-  command.add_option("INPUT", options.input, input)->required();
   command
       .add_option("--domain", options.domain,
                   "how to make the planar domain (default: as the file says):\n"
@@ -66,7 +65,7 @@ void add_patch_options(CLI::App& command, Patch_options& options) {
       {"adjacent-products", MP::Central_weight::adjacent_products},
       {"full-product", MP::Central_weight::full_product}};
 
-  add_domain_options(command, options, "the patch, a .cgb file");
+  add_domain_options(command, options);
   command
       .add_option("--central-weight", options.central_weight,
                   "weight of the central control point (default: as the file says):\n"
@@ -76,8 +75,13 @@ void add_patch_options(CLI::App& command, Patch_options& options) {
       ->type_name("NAME");
 }
 
+void add_input(CLI::App& command, Patch_options& options) {
+  command.add_option("INPUT", options.input, "the patch, a .cgb file")->required();
+}
+
 void add_mesh_command(CLI::App& app, Mesh_options& options) {
   CLI::App& command = *app.add_subcommand("mesh", "make a triangle mesh of a patch");
+  add_input(command, options.patch);
   add_patch_options(command, options.patch);
   command
       .add_option("-o,--output", options.output,
@@ -93,6 +97,9 @@ void add_mesh_command(CLI::App& app, Mesh_options& options) {
       ->check(CLI::Range(std::size_t{1}, MP::Mesh_density::max_triangles).description(""))
       ->type_name("N")
       ->excludes(length);
+  command.add_flag("--elevate", options.patch.elevate,
+                   "raise the degrees of ribbons, whose shape stays the same, where that lets\n"
+                   "the surface meet their neighbours as smoothly as these have layers for");
   command
       .add_option("--report", options.report,
                   "write counts, the domain and how it came about, timings and the\n"
@@ -112,6 +119,7 @@ void add_info_command(CLI::App& app, std::string& input) {
 void add_domain_command(CLI::App& app, Domain_picture_options& options) {
   CLI::App& command = *app.add_subcommand(
       "domain", "draw the domain of a patch, with isolines of its side parameters and coordinates");
+  add_input(command, options.patch);
   add_patch_options(command, options.patch);
   command.add_option("-o,--output", options.output, "the picture to write, an .svg file")
       ->required()
@@ -134,9 +142,12 @@ void add_coordinates_command(CLI::App& app, Coordinates_options& options) {
   CLI::App& command = *app.add_subcommand(
       "coordinates", "draw or tabulate barycentric coordinates on the domain of "
                      "a patch,\nor on any polygon");
-  add_domain_options(command, options.patch,
-                     "a patch, a .cgb file; or a polygon: two numbers a line, blank\n"
-                     "lines between the outer loop and the holes");
+  command
+      .add_option("INPUT", options.patch.input,
+                  "a patch, a .cgb file; or a polygon: two numbers a line, blank\n"
+                  "lines between the outer loop and the holes")
+      ->required();
+  add_domain_options(command, options.patch);
   command
       .add_option("-o,--output", options.output,
                   "the picture or the table to write; the name ends in .svg or .csv")
@@ -174,6 +185,63 @@ void add_coordinates_command(CLI::App& app, Coordinates_options& options) {
   command.callback([&options] { coordinates_command(options); });
 }
 
+void add_check_command(CLI::App& app, Check_options& options) {
+  constexpr std::size_t max_samples = 100'000;
+  CLI::App& command = *app.add_subcommand(
+      "check", "measure how smoothly patches meet their ribbons, and each other where they\nhave "
+               "sides in common; fails if tolerances are exceeded");
+  command.add_option("INPUT", options.inputs, "the patches, .cgb files")->required();
+  add_patch_options(command, options.patch);
+  command.add_flag("--elevate", options.patch.elevate, "raise degrees, as the command mesh does");
+  command
+      .add_option("--samples", options.samples,
+                  "evenly spaced samples a side (default: 32); 12 more are close to its ends")
+      ->check(CLI::Range(std::size_t{1}, max_samples).description(""))
+      ->type_name("N");
+  command
+      .add_option("--position-tolerance", options.position_tolerance,
+                  "of distances, relative to the diagonal of the patch's bounding box\n"
+                  "(default: 1e-6)")
+      ->type_name("X");
+  command
+      .add_option("--plane-tolerance", options.plane_tolerance,
+                  "of angles between tangent planes, in degrees (default: 1e-3)")
+      ->type_name("X");
+  command
+      .add_option("--curvature-tolerance", options.curvature_tolerance,
+                  "of relative differences of curvatures (default: 1e-3)")
+      ->type_name("X");
+  command
+      .add_option("--json", options.json,
+                  "write the report to a JSON file, or with - instead of the table to\n"
+                  "standard output")
+      ->type_name("FILE");
+  command.add_flag("-q,--quiet", options.quiet, "print nothing but errors");
+  command.callback([&options] { check_command(options); });
+}
+
+void add_exact_command(CLI::App& app, Exact_options& options) {
+  constexpr std::size_t max_samples = 100'000;
+  CLI::App& command = *app.add_subcommand(
+      "exact", "measure the rounding errors of a patch in double precision: with Wachspress\n"
+               "coordinates against exact numbers where the domain is convex, elsewhere with\n"
+               "mean value coordinates against numbers of 100 digits");
+  add_input(command, options.patch);
+  command
+      .add_option("--samples", options.samples,
+                  "random points inside the domain (default: 20); about 19 more for each side\n"
+                  "lie on and close to it")
+      ->check(CLI::Range(std::size_t{1}, max_samples).description(""))
+      ->type_name("N");
+  command
+      .add_option("--json", options.json,
+                  "write the report to a JSON file, or with - instead of the table to\n"
+                  "standard output")
+      ->type_name("FILE");
+  command.add_flag("-q,--quiet", options.quiet, "print nothing but errors");
+  command.callback([&options] { exact_command(options); });
+}
+
 int report_error(const std::string& message) {
   std::cerr << "multipatch: " << message << '\n';
   return failure;
@@ -196,10 +264,14 @@ int main(int argc, char* argv[]) {
   std::string info_input;
   Domain_picture_options domain;
   Coordinates_options coordinates;
+  Check_options check;
+  Exact_options exact;
   add_mesh_command(app, mesh);
   add_info_command(app, info_input);
   add_domain_command(app, domain);
   add_coordinates_command(app, coordinates);
+  add_check_command(app, check);
+  add_exact_command(app, exact);
 
   try {
     app.parse(argc, argv);

@@ -64,7 +64,7 @@ void run(const Mesh_options& options, const MP::Mesh_density& density, const Mod
   if (!options.report.empty())
     write_report(options, model, report, clock);
   if (!options.quiet)
-    print_report(options, report, clock);
+    print_report(options, model, report, clock);
 }
 
 } // namespace

@@ -6,6 +6,7 @@
 #include "mesh_report.h"
 
 #include <CGAL/Multisided_patches/IO/internal/file_access.h>
+#include <CGAL/Multisided_patches/bases/contact_order.h>
 
 #include <nlohmann/json.hpp>
 
@@ -31,6 +32,19 @@ double largest_mismatch(const Model& model) {
   return degrees(largest);
 }
 
+Json contact_shortfalls(const Model& model) {
+  Json shortfalls = Json::array();
+  for (std::size_t i = 0; i < model.loop.size(); ++i) {
+    const std::string text = MP::contact_shortfall(model.loop, i, model.central_weight);
+    if (!text.empty())
+      shortfalls.push_back({{"side", i},
+                            {"order", MP::contact_order(model.loop, i, model.central_weight)},
+                            {"promised", model.loop[i].layers() - 1},
+                            {"reason", text}});
+  }
+  return shortfalls;
+}
+
 Json model_json(const Model& model) {
   const auto corners = [&](MP::Corner_type type) { return model.loop.number_of_corners(type); };
   return {{"sides", model.loop.size()},
@@ -39,6 +53,7 @@ Json model_json(const Model& model) {
           {"straight_corners", corners(MP::Corner_type::straight)},
           {"diagonal", model.loop.diagonal()},
           {"largest_plane_mismatch_degrees", largest_mismatch(model)},
+          {"contact_shortfalls", contact_shortfalls(model)},
           {"central_weight", to_string(model.central_weight)},
           {"unused_corner_control_points", model.corner_control_points.size()}};
 }
@@ -91,7 +106,7 @@ void measure_edges(const CGAL::Surface_mesh<Kernel::Point_3>& mesh, Mesh_report&
   report.mean_edge = total / static_cast<double>(mesh.number_of_edges());
 }
 
-void print_report(const Mesh_options& options, const Mesh_report& report,
+void print_report(const Mesh_options& options, const Model& model, const Mesh_report& report,
                   const Stage_clock& clock) {
   double seconds = 0;
   for (const auto& stage : clock.seconds())
@@ -100,6 +115,7 @@ void print_report(const Mesh_options& options, const Mesh_report& report,
               options.output.c_str(), report.triangles, report.vertices,
               to_string(report.domain.used), report.domain.clearance, seconds);
   print_remarks(report.domain);
+  print_contact_shortfalls(model);
 }
 
 void write_report(const Mesh_options& options, const Model& model, const Mesh_report& report,

@@ -33,7 +33,8 @@ struct Mesh_report {
 void measure_edges(const CGAL::Surface_mesh<Kernel::Point_3>& mesh, Mesh_report& report);
 
 // Prints a summary to standard output.
-void print_report(const Mesh_options& options, const Mesh_report& report, const Stage_clock& clock);
+void print_report(const Mesh_options& options, const Model& model, const Mesh_report& report,
+                  const Stage_clock& clock);
 
 // Writes everything to options.report, whole or not at all.
 void write_report(const Mesh_options& options, const Model& model, const Mesh_report& report,

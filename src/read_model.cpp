@@ -6,10 +6,13 @@
 #include "commands.h"
 
 #include <CGAL/Multisided_patches/IO/CGB.h>
+#include <CGAL/Multisided_patches/bases/contact_order.h>
 
 #include <cstdio>
 
 namespace multipatch {
+
+namespace MP = CGAL::Multisided_patches;
 
 const char* to_string(Coordinates_choice choice) {
   switch (choice) {
@@ -28,6 +31,8 @@ Model read_model(const Patch_options& options) {
   model.domain.generator = options.domain.value_or(model.domain.generator);
   model.domain.clearance = options.clearance.value_or(model.domain.clearance);
   model.central_weight = options.central_weight.value_or(model.central_weight);
+  if (options.elevate)
+    model.loop = MP::elevated_for_contact(model.loop, model.central_weight);
   return model;
 }
 
@@ -46,6 +51,20 @@ void warn_of_mismatches(const Model& model) {
                    model.loop.prev(i), i, mismatch, i,
                    mismatch > 90 ? "; does one of them lead out of the hole?" : "");
   }
+}
+
+void print_contact_shortfalls(const Model& model) {
+  for (std::size_t i = 0; i < model.loop.size(); ++i) {
+    const std::string shortfall = MP::contact_shortfall(model.loop, i, model.central_weight);
+    if (!shortfall.empty())
+      std::printf("  %s\n", shortfall.c_str());
+  }
+  const auto degrees = MP::degrees_for_contact(model.loop, model.central_weight);
+  for (std::size_t i = 0; i < model.loop.size(); ++i)
+    if (model.loop[i].degree() < degrees[i]) {
+      std::printf("  multipatch mesh --elevate raises degrees where that helps\n");
+      return;
+    }
 }
 
 void check_index(std::size_t index, std::size_t n, const std::string& option) {

@@ -117,6 +117,31 @@ TEST_CASE("Info prints corner types, and Wachspress coordinates refuse reflex co
   CHECK(work.files() == std::set<std::string>{"b.ply"});
 }
 
+TEST_CASE("Layers that promise more than the patch has are named, and elevation helps") {
+  const Scratch work("contact");
+  const std::string duct = std::string("'") + MODELS_DIR + "/mixed_duct.cgb'";
+  const std::string info = work.run_well("info " + duct);
+  CHECK_THAT(info,
+             Contains("G0 of G3\n") &&
+                 Contains("\n  side 4 promises continuity of order 3 by its 4 layers but gets "
+                          "position continuity only; it takes degree 7 on sides 3 and 5 and "
+                          "4 layers on sides 0, 1, 2 and 6\n"));
+  const std::string mesh = "mesh " + duct + " -o a.ply --triangles 100 --report a.json";
+  CHECK_THAT(work.run_well(mesh), Contains("\n  side 4 promises ") && Contains("--elevate"));
+  CHECK_THAT(contents(work / "a.json"), Contains("\"order\": 0"));
+  // What other sides have too few layers for stays out of reach.
+  CHECK_THAT(work.run_well(mesh + " --elevate"),
+             Contains("\n  side 4 promises continuity of order 3 by its 4 layers but gets tangent "
+                      "plane continuity only") &&
+                 !Contains("--elevate"));
+  CHECK_THAT(contents(work / "a.json"), Contains("\"is_disk\": true") && !Contains("\"order\": 0"));
+  const std::string good = std::string("'") + MODELS_DIR + "/g2_blend.cgb'";
+  CHECK_THAT(work.run_well("info " + good), !Contains("promises"));
+  work.run_well("mesh -q " + good + " -o b.ply --triangles 100");
+  work.run_well("mesh -q " + good + " -o c.ply --triangles 100 --elevate");
+  CHECK((contents(work / "b.ply") == contents(work / "c.ply")));
+}
+
 TEST_CASE("Domain draws every example") {
   const Scratch work("domain");
   for (const Example& example : examples()) {

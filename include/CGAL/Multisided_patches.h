@@ -15,13 +15,17 @@
 #include <CGAL/Multisided_patches/IO/CGB.h>
 #include <CGAL/Multisided_patches/IO/polygon_file.h>
 #include <CGAL/Multisided_patches/analysis/boundary_deviation.h>
+#include <CGAL/Multisided_patches/analysis/continuity_report.h>
 #include <CGAL/Multisided_patches/analysis/mesh_topology.h>
+#include <CGAL/Multisided_patches/analysis/rounding_report.h>
+#include <CGAL/Multisided_patches/bases/contact_order.h>
 #include <CGAL/Multisided_patches/coordinates/Harmonic_coordinates_2.h>
 #include <CGAL/Multisided_patches/coordinates/Mean_value_coordinates_2.h>
 #include <CGAL/Multisided_patches/coordinates/Wachspress_coordinates_2.h>
 #include <CGAL/Multisided_patches/domains/make_domain.h>
 #include <CGAL/Multisided_patches/meshing/tessellate.h>
 #include <CGAL/Multisided_patches/patches/Concave_bezier_patch_3.h>
+#include <CGAL/Multisided_patches/patches/Surface_geometry_3.h>
 #include <CGAL/Multisided_patches/ribbons/Ribbon_loop_3.h>
 
 #endif // CGAL_MULTISIDED_PATCHES_H

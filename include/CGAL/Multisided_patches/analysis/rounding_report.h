@@ -129,6 +129,17 @@ double size_of_derivatives(const std::array<Jet_2<Real, 2>, 3>& surface, std::si
   return std::sqrt(square);
 }
 
+// from a sample to the nearest vertex; at a vertex itself, where limits are taken, the diameter
+template <typename Domain, typename FT>
+double distance_to_vertices(const Domain& domain, const Domain_sample<FT>& sample) {
+  double distance = domain.diameter();
+  if (sample.location.kind != Domain_location<FT>::Kind::vertex)
+    for (const auto& v : domain.vertices())
+      distance = (std::min)(
+          distance, std::hypot(rounded(FT(v.x() - sample.u)), rounded(FT(v.y() - sample.v))));
+  return distance;
+}
+
 } // namespace internal
 
 /*!
@@ -169,10 +180,11 @@ Rounding_report rounding_report(const Patch& patch,
     }
     for (std::size_t i = 0; i < exact.weights.size(); ++i)
       weights.add(k, computed.weights[i].value(), exact.weights[i].value(), 1);
-    const double first_size =
-        (std::max)(internal::size_of_derivatives(exact.surface, 1, 3), diagonal / diameter);
-    const double second_size = (std::max)(internal::size_of_derivatives(exact.surface, 3, 6),
-                                          diagonal / diameter / diameter);
+    const double unit = diagonal / diameter;
+    const double first_size = (std::max)(internal::size_of_derivatives(exact.surface, 1, 3), unit);
+    const double second_size =
+        (std::max)(internal::size_of_derivatives(exact.surface, 3, 6),
+                   unit / internal::distance_to_vertices(patch.domain(), samples[k]));
     for (std::size_t c = 0; c < 3; ++c) {
       const auto &x = computed.surface[c], &y = exact.surface[c];
       points.add(k, x[0], y[0], diagonal);

@@ -37,9 +37,12 @@ namespace Multisided_patches {
  *
  * where p is the larger number of layers of the two sides that meet at the corner (Salvi and
  * Várady, *Multi-sided Bézier surfaces over concave polygonal domains*, Computers & Graphics 74,
- * 2018). The weights of the other sides then vanish on side i to order l, so that the patch has the
- * ribbon's boundary curve if d ≥ 1, its tangent planes if also l ≥ 2 and d ≥ 3, and its curvatures
- * if l ≥ 3 and d ≥ 5, d being the degrees of side i and of its neighbours.
+ * 2018, where p = 2).
+ *
+ * Along side i the patch has the ribbon's derivatives up to order r if side i has at least r + 1
+ * layers, both its neighbours have degree at least 2r + 1, and all other sides have at least r + 1
+ * layers; the central weights `adjacent_products` and `full_product` allow r = 1 at most. See
+ * `contact_order()`.
  */
 class Concave_bezier_basis {
 public:

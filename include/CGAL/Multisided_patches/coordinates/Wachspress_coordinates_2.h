@@ -56,9 +56,6 @@ public:
       if (type != Corner_type::convex)
         throw Input_error("Wachspress coordinates need a strictly convex domain; corner " +
                           std::to_string(i) + " is " + to_string(type));
-      const auto a = domain.vertex(domain.prev(i)) - domain.vertex(i),
-                 b = domain.vertex(domain.next(i)) - domain.vertex(i);
-      corner_areas_.push_back(b.x() * a.y() - b.y() * a.x());
     }
   }
 
@@ -78,13 +75,13 @@ public:
       area[j] = offsets.template cross<Order>(j, domain.next(j));
     if (location.kind == Kind::side)
       area[location.index][0] = Real(0);
-    const std::size_t m = location.is_on_boundary() ? location.index : smallest_product<Real>(area);
+    const std::size_t m = nearest_vertex(location, area);
 
     const std::size_t before_m = domain.prev(m);
     Jet sum;
     for (std::size_t i = 0; i < n; ++i) {
       const std::size_t before = domain.prev(i);
-      lambda[i] = Jet(Real(corner_areas_[i]));
+      lambda[i] = Jet(corner_area<Real>(i));
       for (const std::size_t j : {before_m, m})
         if (j != before && j != i)
           lambda[i] *= area[j];
@@ -99,20 +96,34 @@ public:
 #endif
 
 private:
-  // the vertex for which the product of the areas at its two sides is smallest
+  template <typename Real>
+  Real corner_area(std::size_t i) const {
+    const Point_2 &before = this->domain().vertex(this->domain().prev(i)),
+                  &corner = this->domain().vertex(i),
+                  &after = this->domain().vertex(this->domain().next(i));
+    const Real x(corner.x()), y(corner.y());
+    return (Real(after.x()) - x) * (Real(before.y()) - y) -
+           (Real(after.y()) - y) * (Real(before.x()) - x);
+  }
+
+  // the vertex for which the product of the areas at its two sides is smallest: none of the others
+  // is much smaller, so that it makes a good common factor
   template <typename Real, typename Jets>
-  std::size_t smallest_product(const Jets& area) const {
+  std::size_t nearest_vertex(const Domain_location<Real>& location, const Jets& area) const {
+    using Kind = typename Domain_location<Real>::Kind;
+    if (location.kind == Kind::vertex || (location.kind == Kind::side && location.s < Real(0.5)))
+      return location.index;
+    if (location.kind == Kind::side)
+      return this->domain().next(location.index);
     const auto product = [&](std::size_t i) {
       return Real(area[this->domain().prev(i)].value() * area[i].value());
     };
-    std::size_t smallest = 0;
+    std::size_t nearest = 0;
     for (std::size_t i = 1; i < area.size(); ++i)
-      if (product(i) < product(smallest))
-        smallest = i;
-    return smallest;
+      if (product(i) < product(nearest))
+        nearest = i;
+    return nearest;
   }
-
-  std::vector<FT> corner_areas_;
 };
 
 } // namespace Multisided_patches

@@ -95,9 +95,13 @@ void compute_side_parameters(const Domain& domain, const T* lambda, const typena
     if (sum.value() == FT(0)) {
       parameter.s = internal::limit_of_s(lambda[next], sum);
       parameter.one_minus_s = T(FT(1)) - parameter.s;
+    } else if (lambda[next].value() < lambda[i].value()) {
+      // The larger quotient is taken from the smaller one, as its derivatives would cancel.
+      parameter.s = lambda[next] / sum;
+      parameter.one_minus_s = T(FT(1)) - parameter.s;
     } else {
-      parameter.s = lambda[next] / sum; // exactly 1 where λ_i is 0
       parameter.one_minus_s = lambda[i] / sum;
+      parameter.s = T(FT(1)) - parameter.one_minus_s;
     }
     parameter.one_minus_h = sum;
     // On loops of 3 or 4 sides λ_{i-1} and λ_{i+2} are not 0 on all other sides, as h needs.

@@ -46,8 +46,8 @@ public:
   /*!
    * stores a ribbon.
    *
-   * \param degree the degree d along the side, at least 1
-   * \param layers the number l of rows, at least 1
+   * \param degree the degree d along the side, from 1 to 1000
+   * \param layers the number l of rows, from 1 to 500
    * \param control_points the (d + 1) l points row by row, row 0 (the boundary) first (model units)
    *
    * \throws Input_error if the sizes do not fit together or a coordinate is not finite
@@ -57,6 +57,11 @@ public:
     if (degree < 1 || layers < 1)
       throw Input_error("a ribbon needs a degree of at least 1 and at least 1 layer, not degree " +
                         std::to_string(degree) + " and " + std::to_string(layers) + " layers");
+    if (degree > internal::max_bernstein_degree || 2 * layers > internal::max_bernstein_degree)
+      throw Input_error("a ribbon of degree " + std::to_string(degree) + " with " +
+                        std::to_string(layers) + " layers is beyond the largest degree, " +
+                        std::to_string(internal::max_bernstein_degree) +
+                        " along the side and across");
     if (control_points_.empty() || control_points_.size() / layers - 1 != degree ||
         control_points_.size() % layers != 0)
       throw Input_error("a ribbon of degree " + std::to_string(degree) + " with " +
@@ -141,7 +146,43 @@ public:
     return Bezier_ribbon_3(degree_, layers_, std::move(points));
   }
 
+  /*!
+   * the same ribbon with a higher degree along the side: every row is the same curve as before, and
+   * so the ribbon the same surface. With inexact arithmetic its control points are rounded; the
+   * reversed ribbon then gives the same ones, bit for bit, but points of the elevated and the
+   * original curve may differ in their last bits.
+   *
+   * Complexity: the number of degrees raised times that of control points. \pre `degree >=
+   * degree()`
+   */
+  Bezier_ribbon_3 elevated(std::size_t degree) const {
+    CGAL_precondition(degree >= degree_);
+    if (runs_backwards())
+      return reversed().elevated(degree).reversed();
+    std::vector<Point_3> points;
+    points.reserve((degree + 1) * layers_);
+    for (auto row = control_points_.begin(); row != control_points_.end(); row += degree_ + 1) {
+      const std::size_t first = points.size();
+      points.insert(points.end(), row, row + degree_ + 1);
+      for (std::size_t d = degree_; d < degree; ++d)
+        elevate_by_one(points, first);
+    }
+    return Bezier_ribbon_3(degree, layers_, std::move(points));
+  }
+
 private:
+  // Elevates the curve whose control points start at index `first` and are the last ones.
+  static void elevate_by_one(std::vector<Point_3>& points, std::size_t first) {
+    const std::size_t new_degree = points.size() - first;
+    points.push_back(points.back());
+    // Written as a step from one point towards the other, points that coincide stay as they are.
+    for (std::size_t j = new_degree - 1; j > 0; --j) {
+      const Point_3 &before = points[first + j - 1], &at = points[first + j];
+      const FT share = FT(static_cast<int>(j)) / FT(static_cast<int>(new_degree));
+      points[first + j] = at + share * (before - at);
+    }
+  }
+
   static double length(const Vector_3& v) {
     return std::hypot(CGAL::to_double(v.x()), CGAL::to_double(v.y()), CGAL::to_double(v.z()));
   }

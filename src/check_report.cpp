@@ -1,0 +1,166 @@
+// Copyright (c) 2026 The CGAL Multisided Patches project.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "check_report.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+#include <optional>
+
+namespace multipatch {
+
+namespace MP = CGAL::Multisided_patches;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+// A deviation that is not a number exceeds every tolerance.
+bool exceeds(const std::optional<MP::Deviation>& deviation, double tolerance) {
+  return deviation && !(deviation->max <= tolerance);
+}
+
+std::vector<std::string> failures(const Check_options& options, const MP::Continuity& continuity,
+                                  double diagonal) {
+  std::vector<std::string> names;
+  if (exceeds(continuity.position, options.position_tolerance * diagonal))
+    names.emplace_back("position");
+  if (exceeds(continuity.tangent_plane, options.plane_tolerance))
+    names.emplace_back("tangent plane");
+  if (exceeds(continuity.normal_curvature, options.curvature_tolerance))
+    names.emplace_back("curvature");
+  return names;
+}
+
+void print_deviation(const std::optional<MP::Deviation>& deviation) {
+  if (deviation)
+    std::printf("  %8.1e %8.1e %9.6g", deviation->max, deviation->mean, deviation->s);
+  else
+    std::printf("  %8s %8s %9s", "-", "-", "-");
+}
+
+void print_row(const Check_options& options, const MP::Continuity& continuity, double diagonal) {
+  print_deviation(continuity.position);
+  print_deviation(continuity.tangent_plane);
+  print_deviation(continuity.normal_curvature);
+  const char* separator = "  exceeded: ";
+  for (const std::string& name : failures(options, continuity, diagonal)) {
+    std::printf("%s%s", separator, name.c_str());
+    separator = ", ";
+  }
+  std::printf("\n");
+}
+
+void print_header(const char* first) {
+  std::printf("%-4s  %-27s  %-27s  %s\n", "", "position (model units)", "tangent plane (degrees)",
+              "curvature (relative)");
+  std::printf("%-4s", first);
+  for (int k = 0; k < 3; ++k)
+    std::printf("  %8s %8s %9s", "max", "mean", "at s");
+  std::printf("\n");
+}
+
+void print_patch(const Check_options& options, const Checked_patch& patch) {
+  std::printf("%s: %zu sides, diagonal %g\n", patch.input.c_str(), patch.continuity.sides.size(),
+              patch.diagonal);
+  print_header("side");
+  for (const MP::Side_continuity& side : patch.continuity.sides) {
+    std::printf("%4zu", side.side);
+    print_row(options, side, patch.diagonal);
+  }
+  for (const std::string& shortfall : patch.shortfalls)
+    std::printf("  %s\n", shortfall.c_str());
+}
+
+void print_seam(const Check_options& options, const Check_report& report, std::size_t k) {
+  const Checked_seam& seam = report.seams[k];
+  std::printf("%s side %zu and %s side %zu:\n", report.patches[seam.patch_a].input.c_str(),
+              seam.continuity.side_a, report.patches[seam.patch_b].input.c_str(),
+              seam.continuity.side_b);
+  print_header("");
+  std::printf("%4s", "");
+  print_row(options, seam.continuity, seam.diagonal);
+}
+
+Json deviation_json(const std::optional<MP::Deviation>& deviation) {
+  if (!deviation)
+    return nullptr;
+  return {{"max", deviation->max}, {"mean", deviation->mean}, {"s", deviation->s}};
+}
+
+void add_continuity(Json& json, const Check_options& options, const MP::Continuity& continuity,
+                    double diagonal) {
+  json["position"] = deviation_json(continuity.position);
+  json["tangent_plane_degrees"] = deviation_json(continuity.tangent_plane);
+  json["normal_curvature_relative"] = deviation_json(continuity.normal_curvature);
+  json["exceeded"] = failures(options, continuity, diagonal);
+}
+
+Json patch_json(const Check_options& options, const Checked_patch& patch) {
+  Json sides = Json::array();
+  for (const MP::Side_continuity& side : patch.continuity.sides) {
+    Json json{{"side", side.side}};
+    add_continuity(json, options, side, patch.diagonal);
+    sides.push_back(json);
+  }
+  return {{"input", patch.input},
+          {"diagonal", patch.diagonal},
+          {"sides", sides},
+          {"contact_shortfalls", patch.shortfalls}};
+}
+
+Json seam_json(const Check_options& options, const Check_report& report, const Checked_seam& seam) {
+  Json json{{"input_a", report.patches[seam.patch_a].input},
+            {"side_a", seam.continuity.side_a},
+            {"input_b", report.patches[seam.patch_b].input},
+            {"side_b", seam.continuity.side_b},
+            {"reversed", seam.continuity.reversed}};
+  add_continuity(json, options, seam.continuity, seam.diagonal);
+  return json;
+}
+
+} // namespace
+
+Check_count count_failures(const Check_options& options, const Check_report& report) {
+  Check_count count;
+  const auto add = [&](const MP::Continuity& continuity, double diagonal) {
+    ++count.all;
+    count.failed += !failures(options, continuity, diagonal).empty();
+  };
+  for (const Checked_patch& patch : report.patches)
+    for (const MP::Side_continuity& side : patch.continuity.sides)
+      add(side, patch.diagonal);
+  for (const Checked_seam& seam : report.seams)
+    add(seam.continuity, seam.diagonal);
+  return count;
+}
+
+void print_table(const Check_options& options, const Check_report& report) {
+  for (const Checked_patch& patch : report.patches)
+    print_patch(options, patch);
+  for (std::size_t k = 0; k < report.seams.size(); ++k)
+    print_seam(options, report, k);
+  std::printf("Tolerances: position %g of the diagonal, tangent plane %g degrees, curvature %g\n",
+              options.position_tolerance, options.plane_tolerance, options.curvature_tolerance);
+}
+
+std::string check_json(const Check_options& options, const Check_report& report) {
+  Json patches = Json::array(), seams = Json::array();
+  for (const Checked_patch& patch : report.patches)
+    patches.push_back(patch_json(options, patch));
+  for (const Checked_seam& seam : report.seams)
+    seams.push_back(seam_json(options, report, seam));
+  const Json json{{"passed", count_failures(options, report).failed == 0},
+                  {"even_samples_per_side", options.samples},
+                  {"tolerances",
+                   {{"position_relative_to_diagonal", options.position_tolerance},
+                    {"tangent_plane_degrees", options.plane_tolerance},
+                    {"normal_curvature_relative", options.curvature_tolerance}}},
+                  {"patches", patches},
+                  {"shared_sides", seams}};
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+} // namespace multipatch

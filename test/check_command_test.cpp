@@ -1,0 +1,153 @@
+// Copyright (c) 2026 The CGAL Multisided Patches project.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Runs the program as a user does. POSIX only.
+
+#include "catch.h"
+#include "program_fixtures.h"
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <iomanip>
+#include <limits>
+#include <sstream>
+#include <string>
+
+using namespace program_fixtures;
+using Catch::Matchers::Contains;
+using Catch::Matchers::EndsWith;
+using Catch::Matchers::StartsWith;
+
+namespace {
+
+const double five_degrees = std::atan(1.) / 9;
+
+// A square patch of degree 3 with 2 layers over [left, left + 1] x [0, 1], with height z(x, y),
+// which is linear.
+std::string square(double left, const std::function<double(double, double)>& z) {
+  const std::array<std::array<double, 2>, 4> corners{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+  std::ostringstream out;
+  out << std::setprecision(std::numeric_limits<double>::max_digits10);
+  out << "1\n1\n0.05\n0\n4\n0 0 0\n";
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto &a = corners[i], &b = corners[(i + 1) % 4], &inwards = corners[(i + 2) % 4];
+    out << "3 2\n";
+    for (int k = 0; k < 2; ++k)
+      for (int j = 0; j < 4; ++j) {
+        const auto coordinate = [&](std::size_t c) {
+          return a[c] + j / 3. * (b[c] - a[c]) + k / 3. * (inwards[c] - b[c]);
+        };
+        const double x = left + coordinate(0), y = coordinate(1);
+        out << x << ' ' << y << ' ' << z(x, y) << '\n';
+      }
+  }
+  out << "0\n";
+  return out.str();
+}
+
+// A number of the last object in a JSON text with this key.
+double last_max(const std::string& json, const std::string& key) {
+  const std::size_t object = json.rfind('"' + key + "\": {");
+  REQUIRE(object != std::string::npos);
+  const std::string max = "\"max\": ";
+  return std::stod(json.substr(json.find(max, object) + max.size()));
+}
+
+} // namespace
+
+TEST_CASE("Check finds that the examples meet their ribbons, but for one of too low a degree") {
+  const Scratch work("check_examples");
+  for (const Example& example : examples()) {
+    INFO(example.name);
+    const Result result = work.run("check " + example.argument);
+    CHECK_THAT(result.out, Contains("tangent plane (degrees)") && Contains("\nTolerances: "));
+    if (example.name == "mixed_duct") {
+      CHECK(result.status == 1);
+      CHECK_THAT(result.out, Contains("  exceeded: tangent plane, curvature\n"));
+      CHECK_THAT(result.err, EndsWith(" 3 of 7 sides\n"));
+    } else {
+      CHECK(result.status == 0);
+      CHECK_THAT(result.out, !Contains("exceeded"));
+    }
+  }
+  const std::string duct = std::string("check '") + MODELS_DIR + "/mixed_duct.cgb'";
+  CHECK_THAT(work.run_well(duct + " --plane-tolerance 10 --curvature-tolerance 2"),
+             Contains("  side 6 promises ") && !Contains("exceeded"));
+  CHECK_THAT(work.run(duct + " --elevate").out, !Contains("exceeded: tangent plane"));
+}
+
+TEST_CASE("Check writes JSON to a file or to standard output") {
+  const Scratch work("check_json");
+  work.write("x.cgb", square(0, [](double, double) { return 0; }));
+  const std::string json = work.run_well("check x.cgb --json -");
+  CHECK_THAT(json, StartsWith("{\n  \"passed\": true,") && Contains("\"side\": 3,") &&
+                       Contains("\"normal_curvature_relative\": null") && EndsWith("\n}\n"));
+  CHECK_THAT(work.run_well("check x.cgb --json a.json"), StartsWith("x.cgb: 4 sides, diagonal "));
+  CHECK((contents(work / "a.json") == json));
+  CHECK(work.run_well("check x.cgb --json a.json -q --samples 1").empty());
+  CHECK_THAT(contents(work / "a.json"), Contains("\"even_samples_per_side\": 1,"));
+  CHECK(work.files() == std::set<std::string>{"a.json", "x.cgb"});
+}
+
+TEST_CASE("Check finds the sides that patches have in common, and how they meet there") {
+  const Scratch work("check_seams");
+  const auto flat = [](double, double) { return 0; };
+  const auto tilted = [](double x, double) { return std::tan(five_degrees) * (x - 1); };
+  work.write("a.cgb", square(0, flat));
+  work.write("b.cgb", square(1, flat));
+  work.write("tilted.cgb", square(1, tilted));
+  work.write("gap.cgb", square(1.0001, flat));
+  work.write("far.cgb", square(3, flat));
+
+  const std::string pair = work.run_well("check a.cgb b.cgb far.cgb");
+  CHECK_THAT(pair, Contains("\na.cgb side 1 and b.cgb side 3:\n"));
+  CHECK(pair.find(" and ") == pair.rfind(" and "));
+  CHECK_THAT(work.run_well("check a.cgb b.cgb --json -"),
+             Contains("\"input_b\": \"b.cgb\"") && Contains("\"reversed\": true"));
+
+  const Result turned = work.run("check a.cgb tilted.cgb --json -");
+  CHECK(turned.status == 1);
+  CHECK_THAT(turned.err, Contains("1 of 9 sides"));
+  CHECK_THAT(turned.out, StartsWith("{\n  \"passed\": false,"));
+  CHECK(last_max(turned.out, "tangent_plane_degrees") == Approx(5).epsilon(1e-12));
+  work.run_well("check a.cgb tilted.cgb --plane-tolerance 5.001");
+
+  const Result apart = work.run("check a.cgb gap.cgb --json -");
+  CHECK(apart.status == 1);
+  CHECK(last_max(apart.out, "position") == Approx(1e-4).epsilon(1e-9));
+  work.run_well("check a.cgb gap.cgb --position-tolerance 1e-4");
+}
+
+TEST_CASE("What keeps check from its work is said before it starts") {
+  const Scratch work("check_errors");
+  work.write("x.cgb", square(0, [](double, double) { return 0; }));
+  CHECK_THAT(work.run_well("--help"), Contains("check"));
+  CHECK_THAT(work.run_well("check --help"), Contains("Usage: ") && Contains("--json"));
+  work.write("bad.cgb", "1\n1\n0.05\n0\nthree\n");
+  fs::create_directory(work / "directory.json");
+  const std::set<std::string> files = work.files();
+  struct Row {
+    std::string arguments;
+    int status;
+    std::string message;
+  };
+  for (const Row& row : {Row{"x.cgb missing.cgb", 1, "missing.cgb: cannot be opened"},
+                         Row{"x.cgb bad.cgb --json a.json", 1, "bad.cgb:5: "},
+                         Row{"x.cgb --json directory.json", 1, "directory.json: cannot be written"},
+                         Row{"x.cgb --json no/a.json", 1, "no/a.json: cannot be opened"},
+                         Row{"x.cgb --json ./x.cgb", 1, "x.cgb: cannot be written"},
+                         Row{"x.cgb --plane-tolerance nan", 1, "not nan"},
+                         Row{"x.cgb --position-tolerance -1", 1, "not -1"},
+                         Row{"x.cgb --curvature-tolerance much", 2, "much"},
+                         Row{"x.cgb --samples 0", 2, "0"}, Row{"", 2, "INPUT"}}) {
+    INFO("multipatch check " << row.arguments);
+    const Result result = work.run("check " + row.arguments);
+    CHECK(result.status == row.status);
+    CHECK(result.out.empty());
+    CHECK_THAT(result.err, Contains(row.message));
+    CHECK(work.files() == files);
+  }
+}
