@@ -48,8 +48,8 @@ public:
   void evaluate(const Point_2& p, const Location& location, Jet_2<FT, Order>* lambda) const;
 
   /*!
-   * the same at (`u`, `v`) in another number type. Optional: only the evaluation of a patch in other
-   * number types asks for it, and each model says with which types it compiles.
+   * the same at (`u`, `v`) in another number type. Optional: only the evaluation of a patch in
+   * other number types asks for it, and each model says with which types it compiles.
    */
   template <int Order, typename Real>
   void evaluate(const Real& u, const Real& v, const Domain_location<Real>& location,
