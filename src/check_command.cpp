@@ -146,7 +146,7 @@ void check_command(const Check_options& options) {
   const std::vector<Model> models =
       clock.run("reading", [&] { return read_models(options, report); });
   run(options, models, clock, report);
-  output.write(check_json(options, report), [&] { print_table(options, report); });
+  output.write([&] { return check_json(options, report); }, [&] { print_table(options, report); });
   const Check_count count = count_failures(options, report);
   if (count.failed > 0)
     throw MP::Error("the tolerances do not hold along " + std::to_string(count.failed) + " of " +

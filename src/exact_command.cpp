@@ -107,7 +107,8 @@ std::string to_json(const Comparison& comparison, const std::string& input) {
                                     {"yardstick", comparison.yardstick},
                                     {"samples", comparison.report.samples},
                                     {"errors", errors}};
-  return json.dump(2) + '\n';
+  // File names need not be UTF-8.
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
 }
 
 } // namespace
@@ -117,7 +118,8 @@ void exact_command(const Exact_options& options) {
   const Model model = read_model(options.patch);
   const Domain domain = MP::make_domain(model.loop, model.domain).domain;
   const Comparison comparison = compare(model, domain, options.samples);
-  output.write(to_json(comparison, options.patch.input), [&] { print(comparison); });
+  output.write([&] { return to_json(comparison, options.patch.input); },
+               [&] { print(comparison); });
 }
 
 } // namespace multipatch

@@ -24,14 +24,15 @@ Report_output::Report_output(std::string json_file, bool quiet,
   MP::internal::check_writable(json_file_);
 }
 
-void Report_output::write(const std::string& json, const std::function<void()>& print_table) const {
+void Report_output::write(const std::function<std::string()>& json,
+                          const std::function<void()>& print_table) const {
   if (writes_file()) {
     MP::internal::Atomic_file file(json_file_);
-    file.stream() << json;
+    file.stream() << json();
     file.commit();
   }
   if (is_standard_output())
-    std::fputs(json.c_str(), stdout);
+    std::fputs(json().c_str(), stdout);
   else if (!quiet_)
     print_table();
 }

@@ -19,7 +19,8 @@ public:
   // What cannot be written fails here, before the work.
   Report_output(std::string json_file, bool quiet, const std::vector<std::string>& inputs);
 
-  void write(const std::string& json, const std::function<void()>& print_table) const;
+  void write(const std::function<std::string()>& json,
+             const std::function<void()>& print_table) const;
 
 private:
   bool writes_file() const;

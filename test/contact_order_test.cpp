@@ -168,7 +168,7 @@ private:
 
 // A closed loop with jagged rows; it need not make sense at its corners.
 Loop random_loop(Random& random, const Loop_structure& structure) {
-  const auto coordinate = [&](int k) {
+  const auto coordinate = [&](int k) -> FT {
     return FT(k) + FT(static_cast<int>(random.integer(0, 40))) / FT(100);
   };
   const Domain plan = polygon(structure.size());
@@ -371,7 +371,8 @@ TEST_CASE("An elevated ribbon is the same surface") {
       const Ribbon elevated = ribbon.elevated(degree + random.integer(1, 4));
       REQUIRE(elevated.degree() > degree);
       REQUIRE(elevated.layers() == layers);
-      for (const FT& s : {FT(0), FT(2) / FT(7), FT(3) / FT(5), FT(1), FT(9) / FT(4)}) {
+      for (const FT& s :
+           std::vector<FT>{FT(0), FT(2) / FT(7), FT(3) / FT(5), FT(1), FT(9) / FT(4)}) {
         for (std::size_t k = 0; k < layers; ++k)
           CHECK(row(elevated, k).boundary_point(s) == row(ribbon, k).boundary_point(s));
         CHECK(elevated.boundary_derivative(s) == ribbon.boundary_derivative(s));

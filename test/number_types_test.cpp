@@ -106,12 +106,20 @@ TEMPLATE_TEST_CASE("On a square the patch is exactly the tensor product, with it
     const Convex_patch<TestType> patch(
         MP::Concave_bezier_model_3<TestType>(tensor_product_loop<TestType>(net)),
         on_unit_square<TestType>());
-    const FT u = FT(3) / FT(7), v = FT(5) / FT(11);
-    const auto surface = patch.template evaluate<2>({u, v});
-    const auto expected = tensor_product(net, u, v);
-    for (int c = 0; c < 3; ++c)
-      for (std::size_t k = 0; k < 6; ++k)
-        CHECK(surface[c][k] == expected[c][k]);
+    // inside, on all sides, and at two vertices
+    for (const auto& uv : std::vector<std::array<FT, 2>>{{FT(3) / FT(7), FT(5) / FT(11)},
+                                                         {FT(1) / FT(3), FT(0)},
+                                                         {FT(1), FT(2) / FT(5)},
+                                                         {FT(1) / FT(3), FT(1)},
+                                                         {FT(0), FT(2) / FT(5)},
+                                                         {FT(0), FT(0)},
+                                                         {FT(1), FT(1)}}) {
+      const auto surface = patch.template evaluate<2>({uv[0], uv[1]});
+      const auto expected = tensor_product(net, uv[0], uv[1]);
+      for (int c = 0; c < 3; ++c)
+        for (std::size_t k = 0; k < 6; ++k)
+          CHECK(surface[c][k] == expected[c][k]);
+    }
   }
 }
 

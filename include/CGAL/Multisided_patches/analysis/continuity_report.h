@@ -113,7 +113,7 @@ Seam_continuity continuity_report(const Patch_a& patch_a, std::size_t side_a,
   const bool reversed = internal::run_opposite_ways(a, b);
   const internal::Contact_rule rule{
       (std::min)(a.layers(), b.layers()), !reversed,
-      1 / (std::max)(patch_a.loop().diagonal(), patch_b.loop().diagonal())};
+      1 / (std::max)(patch_a.loop().diagonal(), patch_b.loop().diagonal()), true};
   const auto contact_at = [&](double s) {
     return internal::measure_contact(
         internal::derivatives_on_side(patch_a, side_a, s),

@@ -44,7 +44,9 @@ public:
   void add_random(std::size_t count) {
     const Bbox_2 box = domain_.bbox();
     std::uniform_real_distribution<double> x(box.xmin(), box.xmax()), y(box.ymin(), box.ymax());
-    for (const std::size_t end = samples_.size() + count; samples_.size() < end;) {
+    const std::size_t end = samples_.size() + count;
+    // A sliver across its bounding box is hit rarely.
+    for (std::size_t k = 0; k < 1000 * count && samples_.size() < end; ++k) {
       const double u = x(random_), v = y(random_);
       add_inside(Point_2(FT(u), FT(v)));
     }
@@ -116,10 +118,12 @@ private:
  * at all vertices, and at 1e-3, 1e-6, 1e-9 and 1e-12 of the sides' lengths from both.
  *
  * \param domain the domain
- * \param number_inside the number of random points inside; 17 or fewer come from each side
+ * \param number_inside the number of random points inside, or fewer if the domain is a small
+ * part of its bounding box; 19 or fewer points come from each side
  * \param seed of the random numbers; the same seed gives the same samples
  *
- * Complexity: O(n) for each sample, n being the number of sides.
+ * Complexity: O(n) for each sample, and for each random point of the bounding box outside the
+ * domain, n being the number of sides.
  */
 template <typename Traits>
 std::vector<Domain_sample<typename Traits::FT>>

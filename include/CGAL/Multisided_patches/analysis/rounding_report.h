@@ -37,8 +37,10 @@ struct Rounding_error {
 /*!
  * The errors of all stages of a patch. Coordinates, side parameters and weights have the unit 1,
  * and points the diagonal D of the bounding box of the control points. Derivatives are measured by
- * their own size at the same place: that of all entries together or, if it is larger, D divided by
- * the diameter of the domain (for second derivatives, by its square).
+ * their own size at the same place, that of all entries together, but at least by D / L and
+ * D / (L r), where L is the diameter of the domain and r the distance from the nearest vertex. Of
+ * this size are the terms of which derivatives are sums; near a vertex they cancel only if the
+ * ribbons agree there.
  */
 struct Rounding_report {
   Rounding_error coordinates, s, h, weights, points, first_derivatives, second_derivatives;
@@ -63,6 +65,12 @@ public:
 
   template <typename FT, typename Reference>
   void add(std::size_t sample, const FT& computed, const Reference& exact, double unit) {
+    if (!std::isfinite(computed)) { // exact numbers have no way to say so
+      result_.max_relative = result_.max_ulps = std::numeric_limits<double>::infinity();
+      result_.mean_relative = result_.mean_ulps = std::numeric_limits<double>::infinity();
+      result_.worst_sample = sample;
+      return;
+    }
     const Reference difference = Reference(computed) - exact;
     const double value = std::abs(rounded(exact)), error = std::abs(rounded(difference));
     const double ulps = error / ulp((std::max)(value, std::ldexp(unit, 1 - digits_)));
@@ -151,8 +159,10 @@ double distance_to_vertices(const Domain& domain, const Domain_sample<FT>& sampl
  * patch are rational (Wachspress coordinates); otherwise a floating-point type with many digits and
  * a square root (mean value coordinates), such as
  * `boost::multiprecision::number<boost::multiprecision::cpp_bin_float<100>,
- * boost::multiprecision::et_off>`. Harmonic coordinates have no such yardstick: they do not
- * compile. \tparam Patch a `Concave_bezier_patch_3` whose number type is `float` or `double`
+ * boost::multiprecision::et_off>`. Harmonic coordinates are approximations and compile with
+ * `long double` only, which tells about the rounding in their evaluation.
+ *
+ * \tparam Patch a `Concave_bezier_patch_3` whose number type is `float` or `double`
  *
  * \param patch the patch
  * \param samples where to compare: those of `domain_samples()`, or others

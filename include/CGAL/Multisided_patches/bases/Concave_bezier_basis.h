@@ -306,7 +306,7 @@ private:
       // h_i is 1 - 2/n where all coordinates are equal.
       T product(FT(2) / FT(9));
       for (std::size_t i = 0; i < n; ++i)
-        product *= internal::integer_power(parameters[i].h * (sides / (sides - FT(2))), 2);
+        product *= internal::integer_power(parameters[i].h * FT(sides / (sides - FT(2))), 2);
       return product;
     }
     default:

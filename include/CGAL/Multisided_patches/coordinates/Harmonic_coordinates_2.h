@@ -207,7 +207,8 @@ public:
       const Complex z = at_vertex ? vertex_probes_[location.index] : normalized(Point_2(u, v));
       evaluate_in_cell(basis_.locate(z), z, lambda);
     } else {
-      static_assert(std::is_floating_point_v<Real>,
+      static_assert(std::is_floating_point_v<Real> &&
+                        std::numeric_limits<Real>::digits >= std::numeric_limits<double>::digits,
                     "harmonic coordinates are approximated in double precision: other number types "
                     "would not be more exact. Take their values, and go on with these exactly.");
       const Complex z = at_vertex ? vertex_probes_[location.index] / scale_ + centre_ : Complex();

@@ -95,20 +95,17 @@ public:
 #endif
 
 private:
-  // The side seen at the largest positive angle: the largest tangent of half of it.
+  // The side seen at the largest angle. Near a side the cross product may round to 0 or less.
   template <typename Real, typename Jets>
   static std::size_t widest_side(const Jets& cross, const Jets& dot, const Jets& rr) {
+    const auto magnitude = [&](std::size_t j) {
+      return Real(cross[j].value() < Real(0) ? Real(-cross[j].value()) : cross[j].value());
+    };
+    const auto height = [&](std::size_t j) { return Real(rr[j].value() - dot[j].value()); };
     std::size_t widest = 0;
-    Real largest(-1);
-    for (std::size_t j = 0; j < cross.size(); ++j) {
-      if (!(cross[j].value() > Real(0)))
-        continue;
-      const Real tangent = (rr[j].value() - dot[j].value()) / cross[j].value();
-      if (tangent > largest) {
-        largest = tangent;
+    for (std::size_t j = 1; j < cross.size(); ++j)
+      if (magnitude(j) * height(widest) < magnitude(widest) * height(j))
         widest = j;
-      }
-    }
     return widest;
   }
 };

@@ -10,6 +10,7 @@
 #include <CGAL/Multisided_patches/internal/integer_power.h>
 
 #include <cstddef>
+#include <limits>
 
 namespace CGAL {
 namespace Multisided_patches {
@@ -25,8 +26,12 @@ struct Scalar_of<Jet_2<FT, Order>> {
   using type = FT;
 };
 
-// The largest degree: beyond, binomial coefficients leave the range of double.
-inline constexpr std::size_t max_bernstein_degree = 1000;
+// The largest degree: beyond, binomial coefficients leave the range of the number type.
+template <typename FT>
+constexpr std::size_t max_bernstein_degree() {
+  constexpr int max_exponent = std::numeric_limits<FT>::max_exponent;
+  return 0 < max_exponent && max_exponent < 1008 ? max_exponent - 8 : 1000;
+}
 
 // Writes the first `count` Bernstein polynomials B^degree_0(t), B^degree_1(t), ... to `values`,
 // from t and 1 - t, both accurate: then all of them are, near 0 and 1 as well. For any number type,

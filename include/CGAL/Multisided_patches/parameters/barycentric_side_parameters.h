@@ -50,18 +50,31 @@ void sums_of_others(const Domain& domain, const T* lambda, Output& h) {
   }
 }
 
-// s = λ_{i+1} / (λ_i + λ_{i+1}) where both are 0: on the sides that do not touch side i this is the
-// ratio of the derivatives across the side, as both grow linearly from there; at vertices, and
-// where derivatives are not computed, nothing depends on it.
+// s = N / D with N = λ_{i+1} and D = λ_i + λ_{i+1}, where both are 0: on the sides that do not
+// touch side i. Both grow linearly from there, so the limit is the ratio of their derivatives
+// across the side, that is along g = ∇D; and with the second derivatives that of s is known, too.
+// Second derivatives of s are multiplied by D = 0 wherever they occur. At vertices, and where
+// derivatives are not computed, nothing depends on s.
 template <typename T>
 T limit_of_s(const T& next, const T& sum) {
   using FT = typename T::FT;
+  T s(FT(1) / FT(2));
   if constexpr (T::order >= 1) {
-    const FT square = sum[1] * sum[1] + sum[2] * sum[2];
-    if (square > FT(0))
-      return T(FT((next[1] * sum[1] + next[2] * sum[2]) / square));
+    const FT gu = sum[1], gv = sum[2], square = gu * gu + gv * gv;
+    if (!(square > FT(0)))
+      return s;
+    s[0] = (next[1] * gu + next[2] * gv) / square;
+    if constexpr (T::order >= 2) {
+      // the Hessian of N - s D, times g
+      const FT uu = next[3] - s[0] * sum[3], uv = next[4] - s[0] * sum[4],
+               vv = next[5] - s[0] * sum[5];
+      const FT x = uu * gu + uv * gv, y = uv * gu + vv * gv;
+      const FT across = (x * gu + y * gv) / (square + square), along = (y * gu - x * gv) / square;
+      s[1] = (across * gu - along * gv) / square;
+      s[2] = (across * gv + along * gu) / square;
+    }
   }
-  return T(FT(1) / FT(2));
+  return s;
 }
 
 } // namespace internal
@@ -70,8 +83,8 @@ T limit_of_s(const T& next, const T& sum) {
  * computes the side parameters of all sides from barycentric coordinates:
  * s_i = λ_{i+1} / (λ_i + λ_{i+1}) and h_i = (1 - λ_i - λ_{i+1}) (1 - δ λ_{i-1} λ_{i+2}) (Salvi and
  * Várady, *Multi-sided Bézier surfaces over concave polygonal domains*, Computers & Graphics 74,
- * 2018). Where λ_i + λ_{i+1} = 0, on sides that do not touch side i, s_i is undefined and set to
- * the constant 1/2; everything that depends on it vanishes there.
+ * 2018). On sides that do not touch side i, where λ_i + λ_{i+1} = 0, s_i is the limit from inside;
+ * its derivatives there are so far as what depends on s_i has derivatives of the order of `T`.
  *
  * \tparam T the number type of the coordinates: a `Jet_2`, so that derivatives come along
  *

@@ -14,6 +14,7 @@
 #include <CGAL/Multisided_patches/internal/for_each_index.h>
 #include <CGAL/Multisided_patches/internal/vector_utils.h>
 #include <CGAL/Multisided_patches/patches/Concave_bezier_model_3.h>
+#include <CGAL/Multisided_patches/patches/internal/surface_derivatives.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
@@ -123,8 +124,10 @@ public:
    * the point and its partial derivatives up to `Order` (0, 1 or 2) with respect to u and v: entry
    * `[c][k]` of the result is coordinate c (x, y, z), for k = 0 its value, and then its derivatives
    * by u, v, uu, uv and vv. On the sides they are limits from the inside. At vertices they may not
-   * exist; then the coordinates decide what is returned, which for harmonic coordinates and a
-   * reflex or straight corner is the (large) derivative at a point close by.
+   * exist: first ones do if the ribbons agree and the coordinates have them, second ones depend on
+   * the direction in general. What is returned then has equal weights for both ribbons, and what
+   * the coordinates give, which for harmonic coordinates and a reflex or straight corner is the
+   * (large) derivative at a point close by.
    *
    * \pre `uv` lies at `location`, and that is not outside the domain
    */
@@ -258,8 +261,8 @@ private:
     const auto& ribbon = loop_[location.index];
     if (ribbon.layers() < 2)
       return {0, 0, 0};
-    return unit_normal(internal::to_vec3(ribbon.boundary_derivative(location.s)),
-                       internal::to_vec3(ribbon.cross_derivative(location.s)));
+    return internal::tangent_plane_normal(internal::to_vec3(ribbon.boundary_derivative(location.s)),
+                                          internal::to_vec3(ribbon.cross_derivative(location.s)));
   }
 
   template <int Order>
@@ -272,11 +275,7 @@ private:
       return internal::Vec3{CGAL::to_double(surface[0][i]), CGAL::to_double(surface[1][i]),
                             CGAL::to_double(surface[2][i])};
     };
-    return unit_normal(derivative(1), derivative(2));
-  }
-
-  static internal::Vec3 unit_normal(const internal::Vec3& a, const internal::Vec3& b) {
-    return internal::normalized(internal::cross(internal::normalized(a), internal::normalized(b)));
+    return internal::tangent_plane_normal(derivative(1), derivative(2));
   }
 
   static Vector_3 to_vector(const internal::Vec3& v) {

@@ -76,7 +76,9 @@ Surface_geometry_3<Traits> surface_geometry(const Surface_derivatives& s, const 
                                       {dot(s.uu, normal), dot(s.uv, normal), dot(s.vv, normal)},
                                       {}};
   // At a vertex derivatives that do not exist may be anything, and span a plane that is none.
-  if (all_finite(s) && dot(tangent_plane_normal(s), normal) > 0)
+  constexpr double tolerance = 1e-6; // radians
+  const Vec3 plane = tangent_plane_normal(s);
+  if (all_finite(s) && plane != Vec3{0, 0, 0} && angle_between(plane, normal) < tolerance)
     geometry.curvature.emplace(s, normal);
   return geometry;
 }

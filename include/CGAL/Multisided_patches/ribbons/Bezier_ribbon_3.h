@@ -46,8 +46,8 @@ public:
   /*!
    * stores a ribbon.
    *
-   * \param degree the degree d along the side, from 1 to 1000
-   * \param layers the number l of rows, from 1 to 500
+   * \param degree the degree d along the side, from 1 to 1000 (120 in `float`)
+   * \param layers the number l of rows, from 1 to 500 (60 in `float`)
    * \param control_points the (d + 1) l points row by row, row 0 (the boundary) first (model units)
    *
    * \throws Input_error if the sizes do not fit together or a coordinate is not finite
@@ -57,11 +57,11 @@ public:
     if (degree < 1 || layers < 1)
       throw Input_error("a ribbon needs a degree of at least 1 and at least 1 layer, not degree " +
                         std::to_string(degree) + " and " + std::to_string(layers) + " layers");
-    if (degree > internal::max_bernstein_degree || 2 * layers > internal::max_bernstein_degree)
+    constexpr std::size_t max_degree = internal::max_bernstein_degree<FT>();
+    if (degree > max_degree || 2 * layers > max_degree)
       throw Input_error("a ribbon of degree " + std::to_string(degree) + " with " +
                         std::to_string(layers) + " layers is beyond the largest degree, " +
-                        std::to_string(internal::max_bernstein_degree) +
-                        " along the side and across");
+                        std::to_string(max_degree) + " along the side and across");
     if (control_points_.empty() || control_points_.size() / layers - 1 != degree ||
         control_points_.size() % layers != 0)
       throw Input_error("a ribbon of degree " + std::to_string(degree) + " with " +

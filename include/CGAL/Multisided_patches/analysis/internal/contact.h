@@ -32,9 +32,10 @@ struct Contact {
 
 // What to compare, and how.
 struct Contact_rule {
-  std::size_t layers; // 1: position, 2: and tangent plane, 3 or more: and normal curvature
-  bool opposite;      // whether the normals should point to opposite sides
-  double flat;        // curvatures are compared relative to this at least
+  std::size_t layers;  // 1: position, 2: and tangent plane, 3 or more: and normal curvature
+  bool opposite;       // whether the normals should point to opposite sides
+  double flat;         // curvatures are compared relative to this at least
+  bool mutual = false; // whether the wanted surface has to have what the actual one has
 };
 
 // The normal curvature in a tangent direction d; the normal may be the negative of S_u × S_v.
@@ -56,18 +57,19 @@ inline Contact measure_contact(const Surface_derivatives& actual, const Surface_
                           norm(difference(actual.point, wanted.point)))};
   const Vec3 zero{0, 0, 0};
   Vec3 normal = tangent_plane_normal(wanted);
-  if (rule.layers < 2 || normal == zero)
+  const Vec3 actual_normal = tangent_plane_normal(actual);
+  const bool is_determined = normal != zero || (rule.mutual && actual_normal != zero);
+  if (rule.layers < 2 || !is_determined)
     return contact;
   if (rule.opposite)
     normal = difference(zero, normal);
-  const Vec3 actual_normal = tangent_plane_normal(actual);
-  const bool has_plane = actual_normal != zero;
+  const bool has_plane = actual_normal != zero && normal != zero;
   contact.tangent_plane = has_plane ? angle_between(actual_normal, normal) * 180 / pi : 180;
   if (rule.layers < 3)
     return contact;
   const Vec3 across = cross(normal, normalized(tangent));
   const double a = has_plane ? normal_curvature(actual, actual_normal, across) : 0;
-  const double b = normal_curvature(wanted, normal, across);
+  const double b = has_plane ? normal_curvature(wanted, normal, across) : 0;
   const double scale = std::fmax(std::fmax(std::abs(a), std::abs(b)), rule.flat);
   contact.normal_curvature = has_plane ? at_most(2, std::abs(a - b) / scale) : 2;
   return contact;

@@ -11,6 +11,7 @@
 
 #include <boost/container/small_vector.hpp>
 
+#include <cmath>
 #include <cstddef>
 
 namespace CGAL {

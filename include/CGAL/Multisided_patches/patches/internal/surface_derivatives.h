@@ -40,16 +40,20 @@ inline bool all_finite(const Surface_derivatives& s) {
   return finite(s.u) && finite(s.v) && finite(s.uu) && finite(s.uv) && finite(s.vv);
 }
 
-// The unit normal S_u × S_v, or the zero vector if the two span no plane.
-inline Vec3 tangent_plane_normal(const Surface_derivatives& s) {
+// The unit normal of the plane that two vectors span, or the zero vector if they span none.
+inline Vec3 tangent_plane_normal(const Vec3& a, const Vec3& b) {
   // The sine of an angle below which two directions are the same line up to rounding, and a ratio
   // of lengths below which the shorter vector is a rounding error of the longer one.
   constexpr double smallest_sine = 1e-9, smallest_ratio = 1e-14;
-  const double u = norm(s.u), v = norm(s.v);
-  const Vec3 normal = cross(normalized(s.u), normalized(s.v));
+  const double u = norm(a), v = norm(b);
+  const Vec3 normal = cross(normalized(a), normalized(b));
   const bool spans_plane =
       norm(normal) > smallest_sine && u > smallest_ratio * v && v > smallest_ratio * u;
   return spans_plane ? normalized(normal) : Vec3{0, 0, 0};
+}
+
+inline Vec3 tangent_plane_normal(const Surface_derivatives& s) {
+  return tangent_plane_normal(s.u, s.v);
 }
 
 // An orthonormal basis of a tangent plane, in which S_u = (a, 0) and S_v = (b, c); a > 0, and c has

@@ -12,6 +12,10 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
+#include <algorithm>
+#include <utility>
+#include <vector>
+
 namespace CGAL {
 namespace Multisided_patches {
 namespace internal {
