@@ -370,3 +370,22 @@ TEST_CASE("Points that are not numbers are infinitely far away") {
   CHECK(second.tangent_plane == 0);
   CHECK(second.normal_curvature == 2);
 }
+
+TEST_CASE("A neighbour without tangent planes is no smooth one, whichever patch comes first") {
+  const Square_patch patch = square_patch(cylinder_loop(0));
+  // On side 3 of the neighbour both inner rows lie on the boundary.
+  const Loop right = cylinder_loop(1);
+  const auto onto_boundary = [&](std::size_t j, const Point_3&) {
+    return right[3].control_point(j, 0);
+  };
+  const Square_patch flat =
+      square_patch(with_row(with_row(right, 3, 1, onto_boundary), 3, 2, onto_boundary));
+  for (const auto& seam :
+       {MP::continuity_report(patch, 1, flat, 3), MP::continuity_report(flat, 3, patch, 1)}) {
+    CHECK(seam.position.max < 1e-14);
+    REQUIRE(seam.tangent_plane);
+    CHECK(seam.tangent_plane->max == 180);
+    REQUIRE(seam.normal_curvature);
+    CHECK(seam.normal_curvature->max == 2);
+  }
+}

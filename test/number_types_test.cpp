@@ -183,6 +183,19 @@ TEST_CASE("All kernels give the same patch, as exactly as their numbers are") {
   }
 }
 
+TEST_CASE("Ribbons of all degrees that a number type allows are evaluated in it") {
+  const auto line = [](auto x) {
+    using Traits = typename CGAL::Kernel_traits<decltype(x)>::Kernel;
+    const std::size_t max = MP::internal::max_bernstein_degree<typename Traits::FT>();
+    using R = MP::Bezier_ribbon_3<Traits>;
+    CHECK_THROWS_AS(R(max + 1, 1, std::vector<decltype(x)>(max + 2, x)), MP::Input_error);
+    const R ribbon(max, 1, std::vector<decltype(x)>(max + 1, x));
+    return CGAL::to_double(ribbon.boundary_point(typename Traits::FT(0.5)).x());
+  };
+  CHECK(line(Float_kernel::Point_3(3, 0, 0)) == Approx(3).epsilon(1e-4));
+  CHECK(line(Point_3(3, 0, 0)) == Approx(3).epsilon(1e-12));
+}
+
 TEST_CASE("A patch over doubles is evaluated in rationals at once") {
   Random random(14);
   const auto polygon = convex_polygon(random, 5);
@@ -239,15 +252,12 @@ TEST_CASE("Derivatives agree with differences of 100 digits") {
 // On the sides and at vertices the formulas have a form of their own; their results have to be the
 // limits from inside.
 TEST_CASE("Derivatives on sides and at vertices are limits") {
-  Random random(15);
-  const auto polygon = convex_polygon(random, 5);
-  // At this depth the boundary curves have the cross-derivatives of the adjacent ribbons.
-  const Loop loop = lifted_loop(
-      polygon, [](double x, double y) { return x * x + y; }, 1. / 3);
-  const auto patch = converted<Kernel>(loop, polygon);
-  const Domain& domain = patch.domain();
-  const auto compare = [&](std::size_t side, const Multiple& s, int order) {
+  const unsigned seed = 20261124;
+  CAPTURE(seed);
+  Random random(seed);
+  const auto compare = [](const auto& patch, std::size_t side, const Multiple& s, int order) {
     using Location = MP::Domain_location<Multiple>;
+    const Domain& domain = patch.domain();
     const std::size_t k = domain.next(side);
     const Multiple ax(domain.vertex(side).x()), ay(domain.vertex(side).y()),
         dx = Multiple(domain.vertex(k).x()) - ax, dy = Multiple(domain.vertex(k).y()) - ay;
@@ -256,16 +266,32 @@ TEST_CASE("Derivatives on sides and at vertices are limits") {
     const Multiple tx = s == 0 ? Multiple(dx / 2 - dy / 2) : Multiple(-dy),
                    ty = s == 0 ? Multiple(dy / 2 + dx / 2) : dx;
     const Multiple h("1e-40");
-    const auto inside = patch.evaluate<2, Multiple>(u + h * tx, v + h * ty, Location::interior());
-    const auto limit = patch.evaluate<2, Multiple>(
+    const auto inside =
+        patch.template evaluate<2, Multiple>(u + h * tx, v + h * ty, Location::interior());
+    const auto limit = patch.template evaluate<2, Multiple>(
         u, v, s == 0 ? Location::on_vertex(side) : Location::on_side(side, s));
     for (int c = 0; c < 3; ++c)
       for (std::size_t e = 0; e < (order == 2 ? 6 : 3); ++e)
         CHECK(abs(inside[c][e] - limit[c][e]) < 1e-12);
   };
-  for (std::size_t side = 0; side < 5; ++side) {
-    compare(side, Multiple(3) / 10, 2);
-    compare(side, Multiple("1e-6"), 2);
-    compare(side, Multiple(0), 1);
+  const auto polygon = convex_polygon(random, 5);
+  // At this depth the boundary curves have the cross-derivatives of the adjacent ribbons.
+  const auto smooth =
+      converted<Kernel>(lifted_loop(
+                            polygon, [](double x, double y) { return x * x + y; }, 1. / 3),
+                        polygon);
+  for (std::size_t side = 0; side < 5; ++side)
+    compare(smooth, side, Multiple(0), 1);
+  // Degrees from 1 and layers from 1 on: with one layer, other sides matter to second order.
+  for (int k = 0; k < 20; ++k) {
+    const auto wild = converted<Kernel>(random_loop(random, 5, 0.3), polygon);
+    for (std::size_t side = 0; side < 5; ++side)
+      for (const char* s : {"0.3", "1e-6"})
+        compare(wild, side, Multiple(s), 2);
   }
+  // The same on sides of a concave domain; there is no corner where all mean values are smooth.
+  const Mean_value_patch concave(lifted_loop(l_shape(), [](double x, double y) { return x * y; }),
+                                 MP::Mean_value_coordinates_2<Kernel>(Domain(l_shape())));
+  for (std::size_t side = 0; side < 6; ++side)
+    compare(concave, side, Multiple("0.4"), 2);
 }

@@ -88,6 +88,19 @@ TEST_CASE("All stages of random loops are as exact as double allows") {
   }
 }
 
+// Where a domain is not convex, mean values may be negative and s = λ / (λ + λ') have poles, close
+// to which all digits are lost. These polygons are nearly convex.
+TEST_CASE("All stages of random concave loops are as exact as double allows") {
+  for (unsigned seed = 1; seed <= 50; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    const std::size_t n = 4 + seed % 5;
+    const auto polygon = star_shaped_polygon(random, n, 0.7);
+    const MP::Concave_bezier_model_3<Kernel> model(random_loop(random, n, 0.3));
+    check_model<Mean_value>(model, Domain(polygon), 5, seed);
+  }
+}
+
 TEST_CASE("A point that rounding puts on a side though it is inside has coordinates") {
   Random random(9);
   std::size_t inside = 0;
