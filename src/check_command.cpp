@@ -87,8 +87,12 @@ void run(const Check_options& options, const std::vector<Model>& models, Stage_c
   using Patch = MP::Concave_bezier_patch_3<Kernel, Coordinates>;
   std::vector<Patch> patches;
   clock.run("domain and coordinates", [&] {
-    for (const Model& model : models)
-      patches.emplace_back(model);
+    for (std::size_t k = 0; k < models.size(); ++k)
+      try {
+        patches.emplace_back(models[k]);
+      } catch (const MP::Error& error) {
+        throw MP::Error(options.inputs[k] + ": " + error.what());
+      }
   });
   clock.run("checks", [&] {
     check_patches(patches, options, report);

@@ -134,15 +134,18 @@ TEST_CASE("What keeps check from its work is said before it starts") {
     int status;
     std::string message;
   };
-  for (const Row& row : {Row{"x.cgb missing.cgb", 1, "missing.cgb: cannot be opened"},
-                         Row{"x.cgb bad.cgb --json a.json", 1, "bad.cgb:5: "},
-                         Row{"x.cgb --json directory.json", 1, "directory.json: cannot be written"},
-                         Row{"x.cgb --json no/a.json", 1, "no/a.json: cannot be opened"},
-                         Row{"x.cgb --json ./x.cgb", 1, "x.cgb: cannot be written"},
-                         Row{"x.cgb --plane-tolerance nan", 1, "not nan"},
-                         Row{"x.cgb --position-tolerance -1", 1, "not -1"},
-                         Row{"x.cgb --curvature-tolerance much", 2, "much"},
-                         Row{"x.cgb --samples 0", 2, "0"}, Row{"", 2, "INPUT"}}) {
+  for (const Row& row :
+       {Row{"x.cgb missing.cgb", 1, "missing.cgb: cannot be opened"},
+        Row{"x.cgb bad.cgb --json a.json", 1, "bad.cgb:5: "},
+        Row{std::string("x.cgb --coordinates wachspress '") + MODELS_DIR + "/u_vent.cgb'", 1,
+            "u_vent.cgb: Wachspress coordinates need"},
+        Row{"x.cgb --json directory.json", 1, "directory.json: cannot be written"},
+        Row{"x.cgb --json no/a.json", 1, "no/a.json: cannot be opened"},
+        Row{"x.cgb --json ./x.cgb", 1, "x.cgb: cannot be written"},
+        Row{"x.cgb --plane-tolerance nan", 1, "not nan"},
+        Row{"x.cgb --position-tolerance -1", 1, "not -1"},
+        Row{"x.cgb --curvature-tolerance much", 2, "much"}, Row{"x.cgb --samples 0", 2, "0"},
+        Row{"", 2, "INPUT"}}) {
     INFO("multipatch check " << row.arguments);
     const Result result = work.run("check " + row.arguments);
     CHECK(result.status == row.status);
