@@ -185,6 +185,16 @@ void add_coordinates_command(CLI::App& app, Coordinates_options& options) {
   command.callback([&options] { coordinates_command(options); });
 }
 
+// What Report_output goes by.
+void add_report_options(CLI::App& command, std::string& json, bool& quiet) {
+  command
+      .add_option("--json", json,
+                  "write the report to a JSON file, or with - instead of the table to\n"
+                  "standard output")
+      ->type_name("FILE");
+  command.add_flag("-q,--quiet", quiet, "print nothing but errors");
+}
+
 void add_check_command(CLI::App& app, Check_options& options) {
   constexpr std::size_t max_samples = 100'000;
   CLI::App& command = *app.add_subcommand(
@@ -211,12 +221,7 @@ void add_check_command(CLI::App& app, Check_options& options) {
       .add_option("--curvature-tolerance", options.curvature_tolerance,
                   "of relative differences of curvatures (default: 1e-3)")
       ->type_name("X");
-  command
-      .add_option("--json", options.json,
-                  "write the report to a JSON file, or with - instead of the table to\n"
-                  "standard output")
-      ->type_name("FILE");
-  command.add_flag("-q,--quiet", options.quiet, "print nothing but errors");
+  add_report_options(command, options.json, options.quiet);
   command.callback([&options] { check_command(options); });
 }
 
@@ -233,12 +238,7 @@ void add_exact_command(CLI::App& app, Exact_options& options) {
                   "lie on and close to it")
       ->check(CLI::Range(std::size_t{1}, max_samples).description(""))
       ->type_name("N");
-  command
-      .add_option("--json", options.json,
-                  "write the report to a JSON file, or with - instead of the table to\n"
-                  "standard output")
-      ->type_name("FILE");
-  command.add_flag("-q,--quiet", options.quiet, "print nothing but errors");
+  add_report_options(command, options.json, options.quiet);
   command.callback([&options] { exact_command(options); });
 }
 

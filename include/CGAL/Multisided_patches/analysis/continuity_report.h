@@ -50,9 +50,10 @@ bool run_opposite_ways(const Ribbon& a, const Ribbon& b) {
  *   - if the ribbon has at least 2 layers, the tangent plane, as the angle between the normals
  *     (degrees);
  *   - if it has at least 3, the normal curvature κ of both surfaces in the direction of the tangent
- *     plane that is perpendicular to the boundary curve, as |κ - κ'| / max(|κ|, |κ'|, 1/D). D is
- * the diagonal of the loop's bounding box: what bends less than a sphere of this radius is
- *     practically flat.
+ *     plane that is perpendicular to the boundary curve, as |κ - κ'| / max(|κ|, |κ'|, 1/D).
+ *
+ * D is the diagonal of the loop's bounding box: what bends less than a sphere of this radius is
+ * practically flat.
  *
  * Surfaces with a common curve and common tangent planes along it have the same curvatures in all
  * directions if they have the same in a single one across the curve (Pegna and Wolter, *Geometrical

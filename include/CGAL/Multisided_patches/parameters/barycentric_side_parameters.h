@@ -83,8 +83,9 @@ T limit_of_s(const T& next, const T& sum) {
  * computes the side parameters of all sides from barycentric coordinates:
  * s_i = λ_{i+1} / (λ_i + λ_{i+1}) and h_i = (1 - λ_i - λ_{i+1}) (1 - δ λ_{i-1} λ_{i+2}) (Salvi and
  * Várady, *Multi-sided Bézier surfaces over concave polygonal domains*, Computers & Graphics 74,
- * 2018). On sides that do not touch side i, where λ_i + λ_{i+1} = 0, s_i is the limit from inside;
- * its derivatives there are so far as what depends on s_i has derivatives of the order of `T`.
+ * 2018). On sides that do not touch side i, where λ_i + λ_{i+1} = 0, s_i is the limit from inside.
+ * Of its derivatives there only those of first order are computed, and only with second-order jets:
+ * all others are multiplied by 0 wherever they occur.
  *
  * \tparam T the number type of the coordinates: a `Jet_2`, so that derivatives come along
  *

@@ -138,10 +138,16 @@ public:
     return combine(lambda.data());
   }
 
+  //! the same for a point of which only the position is known. \throws Outside_domain_error
+  template <int Order>
+  Surface_jet<Order> evaluate(const Point_2& uv) const {
+    return evaluate<Order>(uv, domain().locate_inside(uv));
+  }
+
   /*!
-   * the same computed in another number type, into which those of the domain and of the control
-   * points convert without loss: an exact one, or a floating-point type with more digits, tells how
-   * exact the result in `FT` is.
+   * the point and its derivatives computed in another number type, into which those of the domain
+   * and of the control points convert without loss: an exact one, or a floating-point type with
+   * more digits, tells how exact the result in `FT` is.
    *
    * \tparam Real a field number type; `Coordinates` says which it can do with
    */
@@ -162,12 +168,6 @@ public:
   template <int Order, typename Real>
   Surface_jet<Order, Real> combine(const Jet_2<Real, Order>* lambda) const {
     return basis_.combine(domain(), lambda, control_net_);
-  }
-
-  //! the same for a point of which only the position is known. \throws Outside_domain_error
-  template <int Order>
-  Surface_jet<Order> evaluate(const Point_2& uv) const {
-    return evaluate<Order>(uv, domain().locate_inside(uv));
   }
 
   /*!
