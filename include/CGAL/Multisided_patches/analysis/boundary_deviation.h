@@ -51,13 +51,6 @@ Vec3 de_casteljau(const Ribbon& ribbon, double s) {
           static_cast<double>(points[0][2])};
 }
 
-inline double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
-  const Vec3 ab{b[0] - a[0], b[1] - a[1], b[2] - a[2]}, ap{p[0] - a[0], p[1] - a[1], p[2] - a[2]};
-  const double square = dot(ab, ab);
-  const double t = square > 0 ? std::clamp(dot(ap, ab) / square, 0.0, 1.0) : 0;
-  return norm({ap[0] - t * ab[0], ap[1] - t * ab[1], ap[2] - t * ab[2]});
-}
-
 } // namespace internal
 
 /*!

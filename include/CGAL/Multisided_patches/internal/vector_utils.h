@@ -8,6 +8,7 @@
 
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -38,6 +39,10 @@ inline Vec3 sum(const Vec3& a, const Vec3& b) {
   return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
 }
 
+inline Vec3 difference(const Vec3& a, const Vec3& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
 // std::hypot neither overflows nor underflows, so that vectors of any size have a length.
 inline double norm(const Vec3& a) {
   return std::hypot(a[0], a[1], a[2]);
@@ -54,6 +59,17 @@ inline Vec3 normalized(const Vec3& a) {
 // The angle between two vectors in [0,π], accurate also near 0 and π.
 inline double angle_between(const Vec3& a, const Vec3& b) {
   return std::atan2(norm(cross(a, b)), dot(a, b));
+}
+
+// The distance of `p` from the segment ab.
+inline double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
+  const Vec3 d = difference(b, a), e = difference(p, a);
+  const double length = norm(d);
+  if (!(length > 0))
+    return norm(e);
+  const Vec3 along = {d[0] / length, d[1] / length, d[2] / length};
+  const double x = (std::min)((std::max)(dot(e, along), 0.0), length);
+  return norm({e[0] - x * along[0], e[1] - x * along[1], e[2] - x * along[2]});
 }
 
 } // namespace internal

@@ -97,7 +97,9 @@ public:
    * O(d²).
    */
   Point_3 boundary_point(const FT& s) const {
-    if (runs_backwards())
+    // A curve that runs back the way it came has one direction only: that of its first half.
+    const Sign direction = direction_of_curve();
+    if (direction == NEGATIVE || (direction == ZERO && s > FT(1) - s))
       return ORIGIN + combine_row(0, FT(1) - s, [this](std::size_t j) { return degree_ - j; });
     return ORIGIN + combine_row(0, s, [](std::size_t j) { return j; });
   }
@@ -187,16 +189,18 @@ private:
     return std::hypot(CGAL::to_double(v.x()), CGAL::to_double(v.y()), CGAL::to_double(v.z()));
   }
 
-  // Whether the boundary curve runs from its lexicographically larger end to the smaller one: of
-  // the two directions of a curve, computations take the other.
-  bool runs_backwards() const {
+  // Whether the boundary curve runs from its lexicographically smaller end to the larger one; zero
+  // if its control points are the same from both ends. Of the two directions of a curve,
+  // computations take the positive one.
+  Sign direction_of_curve() const {
     for (std::size_t j = 0; 2 * j < degree_; ++j) {
       const Point_3 &a = control_point(j, 0), &b = control_point(degree_ - j, 0);
       if (a != b)
-        return b < a;
+        return a < b ? POSITIVE : NEGATIVE;
     }
-    return false;
+    return ZERO;
   }
+  bool runs_backwards() const { return direction_of_curve() == NEGATIVE; }
 
   template <typename Column>
   Vector_3 combine_row(std::size_t row, const FT& s, const Column& column) const {

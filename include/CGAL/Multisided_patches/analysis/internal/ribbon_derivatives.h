@@ -19,10 +19,6 @@ namespace CGAL {
 namespace Multisided_patches {
 namespace internal {
 
-inline Vec3 difference(const Vec3& a, const Vec3& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
 // The derivatives of a Bézier curve of degree `points.size() - 1`: value, first and second.
 struct Curve_derivatives {
   Vec3 value, first, second;
