@@ -7,8 +7,9 @@
 //
 // Every model is a piece of something one could hold or build, cut out of a smooth surface along a
 // loop that is drawn in the surface's parameter plane. Lengths are millimetres unless said
-// otherwise.
+// otherwise. A closed body has a directory of its own, with one file for each of its parts.
 
+#include "body_builder.h"
 #include "model_builder.h"
 
 #include <CGAL/Multisided_patches/IO/CGB.h>
@@ -268,6 +269,71 @@ Model_plan split_side_panel() {
   return plan;
 }
 
+// The seam between the right and the left half runs once around the body, with two bends on the top
+// and two on the bottom. From it curves go to the sides that the hand grips. The poles of the
+// sphere are on the right and on the left, longitudes run from the front over the top.
+Body_plan computer_mouse() {
+  enum Vertex : std::size_t {
+    front,
+    front_top,
+    top_front,
+    top_rear,
+    rear_top,
+    rear,
+    rear_bottom,
+    bottom_rear,
+    bottom_front,
+    front_bottom,
+    right,           // the first of 5
+    left = right + 5 // likewise
+  };
+  // Between an ellipsoid and a box, highest in the rear and narrowest in front, with a flat bottom.
+  const auto deformation = [](const std::array<Taylor, 3>& p) -> std::array<Taylor, 3> {
+    const Taylor x2 = p[0] * p[0], y2 = p[1] * p[1], z2 = p[2] * p[2];
+    const Taylor fourth_power = x2 * x2 + y2 * y2 + z2 * z2 + 1.4 * (x2 * y2 + y2 * z2 + z2 * x2);
+    const Taylor factor = pow(fourth_power, -0.25);
+    const Taylor x = factor * p[0], y = -factor * p[2], z = factor * p[1];
+    return {56 * x, (31 - 3 * x) * y, (1 - 0.14 * x) * (18 * z + 3.5 * z * z)};
+  };
+  return {
+      "computer_mouse",
+      "part of a computer mouse, closed all around",
+      deformation,
+      {{0, 0},    {45, 0},    {84, 24},   {96, -24},  {135, 0},    // front to rear_top
+       {180, 0},  {225, 0},   {264, -24}, {276, 24},  {315, 0},    // rear to front_bottom
+       {0, 50},   {68, 50},   {137, 50},  {223, 50},  {292, 50},   // right
+       {43, -50}, {112, -50}, {180, -50}, {248, -50}, {317, -50}}, // left
+      {{"right_side", {right, right + 1, right + 2, right + 3, right + 4}},
+       {"left_side", {left + 4, left + 3, left + 2, left + 1, left}},
+       {"top_right", {right + 2, right + 1, front_top, top_front, top_rear, rear_top}},
+       {"top_left", {left, left + 1, rear_top, top_rear, top_front, front_top}},
+       {"bottom_right",
+        {right + 4, right + 3, rear_bottom, bottom_rear, bottom_front, front_bottom}},
+       {"bottom_left", {left + 3, left + 4, front_bottom, bottom_front, bottom_rear, rear_bottom}},
+       {"front_right_upper", {right + 1, right, front, front_top}},
+       {"front_right_lower", {right, right + 4, front_bottom, front}},
+       {"front_left", {left + 4, left, front_top, front, front_bottom}},
+       {"rear_right", {right + 3, right + 2, rear_top, rear, rear_bottom}},
+       {"rear_left_upper", {left + 1, left + 2, rear, rear_top}},
+       {"rear_left_lower", {left + 2, left + 3, rear_bottom, rear}}}};
+}
+
+void write_model(const std::filesystem::path& directory, const std::string& name,
+                 const Model& model) {
+  MP::IO::write_CGB((directory / (name + ".cgb")).string(), model);
+  std::cout << name << ", sides: " << model.loop.size()
+            << ", reflex corners: " << model.loop.number_of_corners(reflex) << ", ";
+}
+
+void write_body(const std::filesystem::path& directory, const Body_plan& plan) {
+  std::filesystem::create_directories(directory / plan.name);
+  const std::vector<Model> models = Body_builder(plan).build();
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    write_model(directory, plan.name + '/' + plan.parts[i].name, models[i]);
+    std::cout << plan.description << '\n';
+  }
+}
+
 } // namespace
 
 int main(int argc, char* argv[]) {
@@ -278,12 +344,10 @@ int main(int argc, char* argv[]) {
          {l_bracket(), u_vent(), t_junction(), star_knob(), spiral_volute(), saddle_seat(),
           twisted_handle_root(), pentagon_cap(), triangle_corner(), mixed_duct(), plus_hub(),
           g2_blend(), split_side_panel()}) {
-      const Model model = Model_builder(plan).build();
-      MP::IO::write_CGB((directory / (plan.name + ".cgb")).string(), model);
-      std::cout << plan.name << ", sides: " << model.loop.size()
-                << ", reflex corners: " << model.loop.number_of_corners(reflex) << ", "
-                << plan.description << '\n';
+      write_model(directory, plan.name, Model_builder(plan).build());
+      std::cout << plan.description << '\n';
     }
+    write_body(directory, computer_mouse());
   } catch (const std::exception& error) {
     std::cerr << "make_models: " << error.what() << '\n';
     return EXIT_FAILURE;
