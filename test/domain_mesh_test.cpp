@@ -125,37 +125,3 @@ TEST_CASE("Sample parameters from both ends of a side sum to exactly 1") {
       CHECK(s == Approx(static_cast<double>(k) / static_cast<double>(m)).margin(1e-15));
     }
 }
-
-TEST_CASE("Points inside keep their distance from all sides, also from those behind a slot") {
-  const unsigned seed = 20260110;
-  CAPTURE(seed);
-  Random random(seed);
-  for (int k = 0; k < 200; ++k) {
-    // A slot of any width, from much narrower to much wider than the spacing.
-    const double left = random.in(0.3, 0.6), right = left + std::pow(10, random.in(-5, -0.6));
-    const double lean = random.in(-0.1, 0.1), spacing = random.in(0.02, 0.2);
-    const Domain domain({{0, 0},
-                         {1, 0},
-                         {1, 1},
-                         {right + lean, 1},
-                         {right, 0.2},
-                         {left, 0.2},
-                         {left + lean, 1},
-                         {0, 1}});
-    CAPTURE(left, right, lean, spacing);
-    const MP::internal::Interior_lattice<Kernel> lattice(domain, spacing);
-    std::size_t count = 0, wrong = 0;
-    lattice.for_each_point([&](double x, double y) {
-      const Point_2 p(x, y);
-      ++count;
-      wrong += domain.locate(p).kind != Domain::Location::Kind::interior;
-      const double distance = MP::internal::Interior_lattice<Kernel>::margin * spacing;
-      for (std::size_t i = 0; i < domain.size(); ++i)
-        wrong += CGAL::squared_distance(p, domain.side(i)) < distance * distance * (1 - 1e-9);
-    });
-    CHECK(wrong == 0);
-    CHECK(count == lattice.count());
-    CHECK(count > 0);
-    check_mesh(domain, MP::triangulate_domain(domain, segments(domain, spacing), spacing));
-  }
-}

@@ -33,11 +33,13 @@ public:
   using Vector_3 = Kernel::Vector_3;
 
   const Domain& domain() const { return domain_; }
-  double side_length(std::size_t i) const { return domain_.side_length(i); }
-  std::pair<Point_3, Vector_3> point_and_normal(const Point_2& p, const Domain::Location&) const {
+  Point_3 point(const Point_2& p, const Domain::Location&) const {
+    return Point_3(p.x(), p.y(), p.x() * p.x() + p.y() * p.y());
+  }
+  std::pair<Point_3, Vector_3> point_and_normal(const Point_2& p,
+                                                const Domain::Location& location) const {
     const Vector_3 n(-2 * p.x(), -2 * p.y(), 1);
-    return {Point_3(p.x(), p.y(), p.x() * p.x() + p.y() * p.y()),
-            n / std::sqrt(n.squared_length())};
+    return {point(p, location), n / std::sqrt(n.squared_length())};
   }
 
 private:

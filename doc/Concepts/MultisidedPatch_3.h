@@ -21,16 +21,20 @@ public:
 
   const Polygonal_domain_2<Geom_traits>& domain() const;
 
-  //! the length of the boundary curve of side `i` (model units), positive; patches that share a
-  //! curve must agree on it bitwise to be sampled alike
-  double side_length(std::size_t i) const;
-
   /*!
-   * the point of the surface at `uv` (model units) and its unit normal, or the zero vector where it
-   * has none; the normal points to the side from which the boundary runs counterclockwise.
+   * the point of the surface at `uv` (model units).
    *
    * `location` says where `uv` lies in the domain. If it is on the boundary, the point must depend
-   * on nothing but `location`, because `uv` is rounded.
+   * on nothing but `location`, because `uv` is rounded. Patches that share a boundary curve must
+   * agree on its points, bit for bit, if they are to be meshed alike: at parameter s of the one, and
+   * at s, or 1 - s, of the other, where 1 - s is exact.
+   */
+  Point_3 point(const Point_2& uv,
+                const Polygonal_domain_2<Geom_traits>::Location& location) const;
+
+  /*!
+   * the same point, and the unit normal there, or the zero vector where there is none; the normal
+   * points to the side from which the boundary runs counterclockwise.
    */
   std::pair<Point_3, Vector_3>
   point_and_normal(const Point_2& uv,

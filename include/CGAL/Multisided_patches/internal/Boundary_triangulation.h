@@ -7,14 +7,13 @@
 #define CGAL_MULTISIDED_PATCHES_INTERNAL_BOUNDARY_TRIANGULATION_H
 
 #include <CGAL/Multisided_patches/errors.h>
+#include <CGAL/Multisided_patches/internal/Linked_triangle.h>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
-#include <array>
 #include <cstddef>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -25,17 +24,29 @@ namespace internal {
 // The constrained Delaunay triangulation of a set of points, of which the first ones bound a
 // domain, and the triangles inside the domain. All that meshes domains uses this one type, as it is
 // costly to compile.
+//
+// Vertices carry the indices of their points. Faces carry `none` if they are outside the domain; to
+// the others whoever works on the triangulation may give any other number.
 template <typename Traits>
 class Boundary_triangulation {
 public:
   using Point_2 = typename Traits::Point_2;
 
-  static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
+  static constexpr std::size_t none = Linked_triangle::none;
 
-  struct Triangle {
-    std::array<std::size_t, 3> vertices;  // indices of points, counterclockwise
-    std::array<std::size_t, 3> neighbors; // opposite to the vertices; `none` across the boundary
-  };
+private:
+  using Vertex_base = Triangulation_vertex_base_with_info_2<std::size_t, Traits>;
+  using Face_base =
+      Triangulation_face_base_with_info_2<std::size_t, Traits,
+                                          Constrained_triangulation_face_base_2<Traits>>;
+
+public:
+  using Triangulation =
+      Constrained_Delaunay_triangulation_2<Traits,
+                                           Triangulation_data_structure_2<Vertex_base, Face_base>,
+                                           No_constraint_intersection_requiring_constructions_tag>;
+  using Vertex_handle = typename Triangulation::Vertex_handle;
+  using Face_handle = typename Triangulation::Face_handle;
 
   // The domain is on the left of the edges from points[k] to points[next[k]], k < next.size(),
   // which make up its boundary. Throws Numerical_error if points coincide or edges cross.
@@ -44,26 +55,26 @@ public:
     constrain(next);
     std::vector<Face_handle> inside = faces_along_boundary(next);
     add_reachable(inside);
-    triangles_.reserve(inside.size());
-    for (const Face_handle f : inside)
-      triangles_.push_back(triangle(f));
   }
 
-  // The triangles of the domain.
-  const std::vector<Triangle>& triangles() const { return triangles_; }
+  Triangulation& triangulation() { return triangulation_; }
+  static bool is_inside(Face_handle f) { return f->info() != none; }
+
+  // The triangles of the domain. Numbers their faces.
+  std::vector<Linked_triangle> triangles() const {
+    std::size_t count = 0;
+    for (const Face_handle f : triangulation_.finite_face_handles())
+      if (is_inside(f))
+        f->info() = count++;
+    std::vector<Linked_triangle> result;
+    result.reserve(count);
+    for (const Face_handle f : triangulation_.finite_face_handles())
+      if (is_inside(f))
+        result.push_back(triangle(f));
+    return result;
+  }
 
 private:
-  using Vertex_base = Triangulation_vertex_base_with_info_2<std::size_t, Traits>;
-  using Face_base =
-      Triangulation_face_base_with_info_2<std::size_t, Traits,
-                                          Constrained_triangulation_face_base_2<Traits>>;
-  using Triangulation =
-      Constrained_Delaunay_triangulation_2<Traits,
-                                           Triangulation_data_structure_2<Vertex_base, Face_base>,
-                                           No_constraint_intersection_requiring_constructions_tag>;
-  using Vertex_handle = typename Triangulation::Vertex_handle;
-  using Face_handle = typename Triangulation::Face_handle;
-
   void insert(const std::vector<Point_2>& points) {
     std::vector<std::pair<Point_2, std::size_t>> numbered;
     numbered.reserve(points.size());
@@ -116,8 +127,8 @@ private:
     faces.push_back(f);
   }
 
-  static Triangle triangle(Face_handle f) {
-    Triangle t;
+  static Linked_triangle triangle(Face_handle f) {
+    Linked_triangle t;
     for (int i = 0; i < 3; ++i) {
       t.vertices[i] = f->vertex(i)->info();
       t.neighbors[i] = f->is_constrained(i) ? none : f->neighbor(i)->info();
@@ -126,7 +137,6 @@ private:
   }
 
   Triangulation triangulation_;
-  std::vector<Triangle> triangles_;
 };
 
 } // namespace internal

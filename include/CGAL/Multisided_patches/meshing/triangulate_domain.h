@@ -7,107 +7,67 @@
 #define CGAL_MULTISIDED_PATCHES_TRIANGULATE_DOMAIN_H
 
 #include <CGAL/Multisided_patches/domains/Polygonal_domain_2.h>
-#include <CGAL/Multisided_patches/internal/Boundary_triangulation.h>
+#include <CGAL/Multisided_patches/errors.h>
+#include <CGAL/Multisided_patches/internal/to_text.h>
 #include <CGAL/Multisided_patches/meshing/Domain_mesh_2.h>
-#include <CGAL/Multisided_patches/meshing/internal/Interior_lattice.h>
+#include <CGAL/Multisided_patches/meshing/Mesh_density.h>
+#include <CGAL/Multisided_patches/meshing/internal/Domain_mesher.h>
+#include <CGAL/Multisided_patches/meshing/internal/Uniform_metric.h>
+#include <CGAL/Multisided_patches/meshing/internal/even_parameters.h>
 
 #include <CGAL/assertions.h>
 
+#include <cmath>
 #include <cstddef>
-#include <utility>
+#include <string>
 #include <vector>
 
 namespace CGAL {
 namespace Multisided_patches {
 
-namespace internal {
-
-// Parameters k/m in (0,1), such that the one of k and that of m - k sum to 1 exactly: a curve that
-// is sampled from its other end gets the same points.
-inline double sample_parameter(std::size_t k, std::size_t m) {
-  if (2 * k > m)
-    return 1 - sample_parameter(m - k, m);
-  // Subtracting from 1 twice leaves a multiple of 2^-53, whose complement is exact.
-  const double complement = 1 - static_cast<double>(k) / static_cast<double>(m);
-  return 1 - complement;
-}
-
-// The work behind `triangulate_domain()`: gathers the points, then triangulates them.
-template <typename Traits>
-class Domain_triangulator {
-public:
-  using Domain = Polygonal_domain_2<Traits>;
-  using Mesh = Domain_mesh_2<Traits>;
-  using FT = typename Traits::FT;
-  using Point_2 = typename Traits::Point_2;
-  using Location = typename Domain::Location;
-
-  explicit Domain_triangulator(const Domain& domain) : domain_(domain) {}
-
-  Mesh run(const std::vector<std::size_t>& segments, double spacing) {
-    sample_boundary(segments);
-    Interior_lattice<Traits>(domain_, spacing).for_each_point([this](double x, double y) {
-      add_point(Point_2(FT(x), FT(y)), Location::interior());
-    });
-    const Boundary_triangulation<Traits> triangulation(mesh_.points, next_);
-    mesh_.triangles.reserve(triangulation.triangles().size());
-    for (const auto& t : triangulation.triangles())
-      mesh_.triangles.push_back(t.vertices);
-    return std::move(mesh_);
-  }
-
-private:
-  void add_point(const Point_2& p, const Location& location) {
-    mesh_.points.push_back(p);
-    mesh_.locations.push_back(location);
-  }
-
-  void sample_boundary(const std::vector<std::size_t>& segments) {
-    for (std::size_t loop = 0; loop < domain_.number_of_loops(); ++loop) {
-      const std::size_t first = mesh_.points.size();
-      for (std::size_t i = domain_.loop_begin(loop); i < domain_.loop_begin(loop + 1); ++i)
-        sample_side(i, segments[i]);
-      next_.back() = first;
-    }
-    mesh_.number_of_boundary_points = mesh_.points.size();
-  }
-
-  void sample_side(std::size_t i, std::size_t segments) {
-    for (std::size_t k = 0; k < segments; ++k) {
-      const FT s(sample_parameter(k, segments));
-      if (k == 0)
-        add_point(domain_.vertex(i), Location::on_vertex(i));
-      else
-        add_point(domain_.point_on_side(i, s), Location::on_side(i, s));
-      next_.push_back(mesh_.points.size());
-    }
-  }
-
-  const Domain& domain_;
-  Mesh mesh_;
-  std::vector<std::size_t> next_; // on the boundary, for each of its points
-};
-
-} // namespace internal
-
 /*!
- * triangulates a domain: samples on its sides as they are asked for, a triangular lattice inside,
- * and the constrained Delaunay triangulation of both. No point is ever added on a side.
+ * triangulates a domain: samples on its sides as they are asked for, and points inside that make
+ * triangles about as large as asked for, and as well shaped as the samples allow. No point is ever
+ * added on a side.
+ *
+ * All angles are at least 20.7 degrees, except where the boundary forces smaller ones: at a sharp
+ * corner, in a slot that is narrower than the samples on its sides are apart, or where short and
+ * long segments of the boundary meet. Where neither is the case they are at least 30 degrees in
+ * practice.
  *
  * \param domain the domain
  * \param segments for each side, into how many segments of equal length it is divided, at least 1
- * \param spacing the distance of neighbouring points inside (domain units), greater than 0
+ * \param spacing the length that edges inside are to have on the average (domain units), greater
+ * than 0
+ * \param smoothing_sweeps how many times every point inside is moved towards the centroid of the
+ * triangles around it, where that makes them better; 2 raise the smallest angles by about 5 degrees
  *
+ * \throws Input_error if there would be more than `Mesh_density::max_triangles` triangles
  * \throws Numerical_error if sides are so close to each other, or so short, that rounded samples
  * coincide or cross
  *
- * Complexity: O(m log m) for m points, plus O(n/spacing) for the n sides.
+ * Complexity: O(m log m) for m points in practice.
  */
 template <typename Traits>
 Domain_mesh_2<Traits> triangulate_domain(const Polygonal_domain_2<Traits>& domain,
-                                         const std::vector<std::size_t>& segments, double spacing) {
+                                         const std::vector<std::size_t>& segments, double spacing,
+                                         int smoothing_sweeps = 0) {
   CGAL_precondition(segments.size() == domain.size() && spacing > 0);
-  return internal::Domain_triangulator<Traits>(domain).run(segments, spacing);
+  const double triangles =
+      CGAL::to_double(domain.area()) / (spacing * spacing * std::sqrt(3.0) / 4);
+  if (!(triangles <= static_cast<double>(Mesh_density::max_triangles)))
+    throw Input_error("a spacing of " + internal::to_short_text(spacing) + " would need about " +
+                      internal::to_short_text(triangles) + " triangles; the limit is " +
+                      std::to_string(Mesh_density::max_triangles));
+  internal::Side_parameters sides;
+  for (const std::size_t m : segments)
+    sides.push_back(internal::even_parameters(m));
+  const internal::Uniform_metric metric(spacing);
+  internal::Domain_mesher<Traits, internal::Uniform_metric> mesher(
+      domain, sides, metric, std::vector<std::size_t>(domain.size(), 0));
+  mesher.refine(Mesh_density::max_triangles, [](std::size_t) {});
+  mesher.smooth(smoothing_sweeps);
+  return mesher.finish();
 }
 
 } // namespace Multisided_patches

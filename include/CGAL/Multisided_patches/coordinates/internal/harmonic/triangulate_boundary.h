@@ -55,7 +55,7 @@ inline Bisection_mesh triangulate_boundary(std::vector<Complex> exact, const Bou
   const Triangulation triangulation(vertices, next);
 
   std::vector<Bisection_mesh::Triangle> triangles;
-  for (const Triangulation::Triangle& t : triangulation.triangles()) {
+  for (const Linked_triangle& t : triangulation.triangles()) {
     triangles.emplace_back();
     for (int i = 0; i < 3; ++i) {
       triangles.back().vertex[i] = t.vertices[i];

@@ -1,0 +1,66 @@
+// Copyright (c) 2026 The CGAL Multisided Patches project.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_MULTISIDED_PATCHES_TESSELLATION_VISITOR_H
+#define CGAL_MULTISIDED_PATCHES_TESSELLATION_VISITOR_H
+
+#include <CGAL/Multisided_patches/errors.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Multisided_patches {
+
+//! What the making of a mesh goes through.
+enum class Tessellation_stage {
+  meshing,    //!< points and triangles in the domain
+  evaluation, //!< points and normals of the surface
+  assembly    //!< the caller's mesh; this cannot be cancelled any more
+};
+
+//! Thrown where a visitor does not want to go on. Nothing has been written by then.
+class Cancelled : public Error {
+public:
+  Cancelled() : Error("cancelled") {}
+};
+
+/*!
+ * What hears of the progress of a tessellation, and can end it: a class with this member. This one
+ * lets everything run to its end.
+ */
+struct Tessellation_visitor {
+  /*!
+   * is called often, every few milliseconds, always by the thread that called `tessellate()` or
+   * by one at a time.
+   *
+   * \param stage what is being done
+   * \param done,total how much of it is done, in points; the total may be an estimate, and grow
+   *
+   * \return whether to go on; if not, a `Cancelled` exception is thrown, and the mesh of the caller
+   * stays as it was
+   */
+  bool go_further(Tessellation_stage stage, std::size_t done, std::size_t total) {
+    static_cast<void>(stage);
+    static_cast<void>(done);
+    static_cast<void>(total);
+    return true;
+  }
+};
+
+namespace internal {
+
+template <typename Visitor>
+void report_progress(Visitor& visitor, Tessellation_stage stage, std::size_t done,
+                     std::size_t total) {
+  if (!visitor.go_further(stage, done, total))
+    throw Cancelled();
+}
+
+} // namespace internal
+
+} // namespace Multisided_patches
+} // namespace CGAL
+
+#endif // CGAL_MULTISIDED_PATCHES_TESSELLATION_VISITOR_H

@@ -1,0 +1,200 @@
+// Copyright (c) 2026 The CGAL Multisided Patches project.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_MULTISIDED_PATCHES_MESHING_INTERNAL_MESH_BUILDER_H
+#define CGAL_MULTISIDED_PATCHES_MESHING_INTERNAL_MESH_BUILDER_H
+
+#include <CGAL/Multisided_patches/errors.h>
+#include <CGAL/Multisided_patches/internal/for_each_index.h>
+#include <CGAL/Multisided_patches/internal/vector_utils.h>
+#include <CGAL/Multisided_patches/meshing/Domain_mesh_2.h>
+#include <CGAL/Multisided_patches/meshing/Mesh_maps.h>
+#include <CGAL/Multisided_patches/meshing/Tessellation_visitor.h>
+#include <CGAL/Multisided_patches/meshing/internal/Scaled_surface.h>
+#include <CGAL/Multisided_patches/patches/Surface_geometry_3.h>
+
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/properties.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Multisided_patches {
+namespace internal {
+
+// What becomes of a vertex of a domain mesh.
+template <typename Traits>
+struct Surface_vertex {
+  typename Traits::Point_3 point;
+  typename Traits::Vector_3 normal; // of unit length, or 0
+};
+
+// A patch with the mesh of its domain and the vertices of that on the surface.
+template <typename Patch>
+struct Patch_mesh {
+  using Traits = typename Patch::Geom_traits;
+
+  const Patch* patch = nullptr;
+  const Domain_mesh_2<Traits>* domain_mesh = nullptr;
+  std::vector<Surface_vertex<Traits>> vertices;
+};
+
+// Evaluates a patch at the vertices of a mesh of its domain.
+template <typename ConcurrencyTag, typename Patch, typename Visitor>
+Patch_mesh<Patch> evaluate_vertices(const Patch& patch,
+                                    const Domain_mesh_2<typename Patch::Geom_traits>& mesh,
+                                    Visitor& visitor) {
+  const std::size_t n = mesh.points.size();
+  Patch_mesh<Patch> result;
+  result.patch = &patch;
+  result.domain_mesh = &mesh;
+  result.vertices.resize(n);
+  constexpr std::size_t block = 1 << 14;
+  for (std::size_t first = 0; first < n; first += block) {
+    report_progress(visitor, Tessellation_stage::evaluation, first, n);
+    for_each_index<ConcurrencyTag>((std::min)(block, n - first), [&](std::size_t k) {
+      const auto [point, normal] =
+          patch.point_and_normal(mesh.points[first + k], mesh.locations[first + k]);
+      result.vertices[first + k] = {point, normal};
+    });
+    for (std::size_t k = first; k < (std::min)(n, first + block); ++k) {
+      const auto& p = result.vertices[k].point;
+      if (!CGAL::is_finite(p.x()) || !CGAL::is_finite(p.y()) || !CGAL::is_finite(p.z()))
+        throw Numerical_error("the surface is not finite at " + text_of_parameters(mesh.points[k]));
+    }
+  }
+  return result;
+}
+
+// Where the patch has no tangent plane: the normal of the triangles around the vertex, by area.
+template <typename Patch>
+void fill_missing_normals(Patch_mesh<Patch>& mesh) {
+  using Vector_3 = typename Patch::Geom_traits::Vector_3;
+  auto& vertices = mesh.vertices;
+  const auto has_normal = [](const auto& v) { return v.normal != NULL_VECTOR; };
+  if (std::all_of(vertices.begin(), vertices.end(), has_normal))
+    return;
+  std::vector<Vec3> sums(vertices.size(), Vec3{0, 0, 0});
+  for (const auto& t : mesh.domain_mesh->triangles) {
+    const auto& origin = vertices[t[0]].point;
+    const Vec3 normal =
+        cross(to_vec3(vertices[t[1]].point - origin), to_vec3(vertices[t[2]].point - origin));
+    for (const std::size_t v : t)
+      sums[v] = sum(sums[v], normal);
+  }
+  for (std::size_t v = 0; v < vertices.size(); ++v)
+    if (!has_normal(vertices[v])) {
+      const Vec3 n = normalized(sums[v]);
+      vertices[v].normal = Vector_3(n[0], n[1], n[2]);
+    }
+}
+
+template <typename Map>
+inline constexpr bool is_wanted = !std::is_same_v<Map, No_map>;
+
+template <typename Map, typename Key, typename Value>
+void put_if_wanted([[maybe_unused]] const Map& map, [[maybe_unused]] const Key& key,
+                   [[maybe_unused]] const Value& value) {
+  if constexpr (is_wanted<Map>)
+    put(map, key, value);
+}
+
+// Adds patches to a mesh of any kind.
+template <typename FaceGraph, typename Maps>
+class Mesh_builder {
+public:
+  using Vertex = typename boost::graph_traits<FaceGraph>::vertex_descriptor;
+  using Halfedge = typename boost::graph_traits<FaceGraph>::halfedge_descriptor;
+  using Face = typename boost::graph_traits<FaceGraph>::face_descriptor;
+
+  Mesh_builder(FaceGraph& mesh, const Maps& maps) : mesh_(mesh), maps_(maps) {}
+
+  static Vertex null_vertex() { return boost::graph_traits<FaceGraph>::null_vertex(); }
+
+  // Makes room for so many more vertices and triangles.
+  void make_room(std::size_t vertices, std::size_t triangles) {
+    using Size = typename boost::graph_traits<FaceGraph>::vertices_size_type;
+    reserve(mesh_, static_cast<Size>(num_vertices(mesh_) + vertices),
+            static_cast<Size>(num_edges(mesh_) + vertices + triangles),
+            static_cast<Size>(num_faces(mesh_) + triangles));
+  }
+
+  // Adds the triangles of patch number `index`, and those of its vertices that are not there yet:
+  // handles[k] is the vertex for vertex k, or null.
+  template <typename Patch>
+  void add(const Patch_mesh<Patch>& patch, std::size_t index, std::vector<Vertex>& handles) {
+    auto points = get(CGAL::vertex_point, mesh_);
+    for (std::size_t k = 0; k < patch.vertices.size(); ++k)
+      if (handles[k] == null_vertex()) {
+        handles[k] = add_vertex(mesh_);
+        put(points, handles[k], patch.vertices[k].point);
+        put_vertex_properties(patch, k, handles[k]);
+      }
+    for (const auto& t : patch.domain_mesh->triangles) {
+      const std::array<Vertex, 3> corners{handles[t[0]], handles[t[1]], handles[t[2]]};
+      const Face face = Euler::add_face(corners, mesh_);
+      CGAL_assertion(face != boost::graph_traits<FaceGraph>::null_face());
+      put_if_wanted(maps_.patch, face, index);
+      if constexpr (is_wanted<decltype(Maps::side)>)
+        put_sides(patch, t, face, corners);
+    }
+  }
+
+private:
+  template <typename Patch>
+  void put_vertex_properties(const Patch_mesh<Patch>& patch, std::size_t k, Vertex v) {
+    const auto& mesh = *patch.domain_mesh;
+    put_if_wanted(maps_.normal, v, patch.vertices[k].normal);
+    put_if_wanted(maps_.uv, v, mesh.points[k]);
+    if constexpr (is_wanted<decltype(Maps::mean_curvature)> ||
+                  is_wanted<decltype(Maps::gaussian_curvature)>) {
+      const auto curvature =
+          surface_geometry(*patch.patch, mesh.points[k], mesh.locations[k]).curvature;
+      constexpr double none = std::numeric_limits<double>::quiet_NaN();
+      put_if_wanted(maps_.mean_curvature, v, curvature ? curvature->mean() : none);
+      put_if_wanted(maps_.gaussian_curvature, v, curvature ? curvature->gaussian() : none);
+    }
+  }
+
+  // The halfedges of a triangle between consecutive vertices of a side.
+  template <typename Patch>
+  void put_sides(const Patch_mesh<Patch>& patch, const std::array<std::size_t, 3>& t, Face face,
+                 const std::array<Vertex, 3>& corners) {
+    const auto& mesh = *patch.domain_mesh;
+    Halfedge h = halfedge(face, mesh_);
+    for (int k = 0; k < 3; ++k, h = next(h, mesh_)) {
+      const auto i = static_cast<std::size_t>(
+          std::find(corners.begin(), corners.end(), source(h, mesh_)) - corners.begin());
+      const std::size_t from = t[i], to = t[(i + 1) % 3];
+      const std::size_t n = mesh.number_of_boundary_points;
+      if (from >= n || to >= n)
+        continue;
+      // A vertex of the domain is the start of its side; its end is the start of the next one.
+      const std::size_t side = mesh.locations[from].index;
+      const bool ends_side = mesh.locations[to].kind == Patch::Location::Kind::vertex &&
+                             mesh.locations[to].index == patch.patch->domain().next(side);
+      const bool is_next = to == from + 1 && mesh.locations[to].index == side;
+      const bool is_last = ends_side && (from + 1 == n || mesh.locations[from + 1].index != side);
+      if (is_next || is_last)
+        put(maps_.side, h, side);
+    }
+  }
+
+  FaceGraph& mesh_;
+  Maps maps_;
+};
+
+} // namespace internal
+} // namespace Multisided_patches
+} // namespace CGAL
+
+#endif // CGAL_MULTISIDED_PATCHES_MESHING_INTERNAL_MESH_BUILDER_H

@@ -1,0 +1,414 @@
+// Copyright (c) 2026 The CGAL Multisided Patches project.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_MULTISIDED_PATCHES_MESHING_INTERNAL_METRIC_REFINER_H
+#define CGAL_MULTISIDED_PATCHES_MESHING_INTERNAL_METRIC_REFINER_H
+
+#include <CGAL/Multisided_patches/internal/Boundary_triangulation.h>
+#include <CGAL/Multisided_patches/meshing/internal/Metric_2.h>
+
+#include <boost/container/small_vector.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <deque>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Multisided_patches {
+namespace internal {
+
+// Fills the triangulation of a domain with points, until no edge is much longer than 1 in a metric
+// and no triangle has a sharp angle that a point inside could spare. No point is added on a side.
+//
+// This is Delaunay refinement (Chew, *Guaranteed-quality triangular meshes*, 1989; Ruppert 1995)
+// with the Delaunay property taken in the metric, and with points placed in the manner of an
+// advancing front: not at the circumcenter, but nearer to the shortest edge, where they complete it
+// to a triangle of the wanted size (Rebay, *Efficient unstructured mesh generation by means of
+// Delaunay triangulation and Bowyer-Watson algorithm*, 1993; Üngör, *Off-centers*, 2004). So rows
+// of equilateral triangles grow from the boundary inwards. The metric says where points are wanted;
+// what is inside what, and which edges may be flipped, is decided by exact predicates.
+//
+// Field is a function that gives the metric at a point; Metric_2 operator()(Uv, std::size_t& hint)
+// gets as a hint what it left behind at a vertex close by.
+template <typename Traits, typename Field>
+class Metric_refiner {
+public:
+  using Boundary = Boundary_triangulation<Traits>;
+  using Triangulation = typename Boundary::Triangulation;
+  using Face_handle = typename Boundary::Face_handle;
+  using Vertex_handle = typename Boundary::Vertex_handle;
+  using FT = typename Traits::FT;
+  using Point_2 = typename Traits::Point_2;
+
+  // New points are appended to `points`. The hints are those of the points that there are.
+  Metric_refiner(Boundary& boundary, std::vector<Point_2>& points, const Field& field,
+                 std::vector<std::size_t> hints)
+      : cdt_(boundary.triangulation()), points_(points), field_(field), hints_(std::move(hints)),
+        scales_(points.size(), 1) {
+    for (std::size_t k = 0; k < points_.size(); ++k)
+      metrics_.push_back(field_(to_uv(points_[k]), hints_[k]));
+    for (const Face_handle f : cdt_.finite_face_handles())
+      if (is_inside(f))
+        f->info() = idle;
+    make_delaunay();
+  }
+
+  // Adds points until all is as it should be, or there are `max_points`. Now and then it calls
+  // progress(number of points), which may throw.
+  template <typename Progress>
+  void refine(std::size_t max_points, const Progress& progress) {
+    for (const Face_handle f : cdt_.finite_face_handles())
+      if (is_inside(f))
+        enqueue_if_bad(f);
+    constexpr std::size_t block = 4096;
+    std::size_t next_report = points_.size() + block;
+    while (points_.size() < max_points && !(front_.empty() && rest_.empty())) {
+      std::deque<Face_handle>& queue = front_.empty() ? rest_ : front_;
+      const Face_handle f = queue.front();
+      queue.pop_front();
+      f->info() = idle;
+      if (is_bad(triangle(f)))
+        refine(f);
+      if (points_.size() >= next_report) {
+        progress(points_.size());
+        next_report += block;
+      }
+    }
+  }
+
+  // Lets the edges at a point be shorter than the field says, by a factor, and with them those at
+  // points that are added close by.
+  void shorten_edges(std::size_t vertex, double factor) {
+    scales_[vertex] *= factor;
+    metrics_[vertex] = 1 / (factor * factor) * metrics_[vertex];
+  }
+
+  // Moves every point inside towards the centroid of the triangles around it, if that makes their
+  // sharpest angle less sharp, and restores the Delaunay property; as many times as it is told.
+  void smooth(int sweeps) {
+    for (int k = 0; k < sweeps; ++k) {
+      for (const Vertex_handle v : cdt_.finite_vertex_handles())
+        smooth(v);
+      make_delaunay();
+    }
+  }
+
+private:
+  enum State : std::size_t { idle, queued };
+
+  // Circumradii of triangles with edges of length 1 are 0.58.
+  static constexpr double max_circumradius = 0.74;
+  // The ratio of circumradius and shortest edge where the sharpest angle is 20.7 degrees.
+  static constexpr double max_radius_edge_ratio = 1.4143;
+  // An edge up to this length is one to which a front can be attached.
+  static constexpr double max_front_edge = 1.5;
+  // How fast triangles grow away from short edges.
+  static constexpr double growth = 1.5;
+  // The least distance of new points from sides and from other points, relative to the wanted one.
+  static constexpr double margin = 0.45;
+
+  static bool is_inside(Face_handle f) { return Boundary::is_inside(f); }
+
+  void add_metric(const Uv& p, std::size_t hint, double scale) {
+    metrics_.push_back(1 / (scale * scale) * field_(p, hint));
+    hints_.push_back(hint);
+    scales_.push_back(scale);
+  }
+
+  Uv position(Vertex_handle v) const { return to_uv(v->point()); }
+  const Metric_2& metric(Vertex_handle v) const { return metrics_[v->info()]; }
+  Metric_2 metric(Face_handle f) const {
+    return 1. / 3 * (metric(f->vertex(0)) + metric(f->vertex(1)) + metric(f->vertex(2)));
+  }
+  Metric_triangle triangle(Face_handle f) const {
+    return Metric_triangle({position(f->vertex(0)), position(f->vertex(1)), position(f->vertex(2))},
+                           metric(f));
+  }
+
+  static bool is_bad(const Metric_triangle& t) {
+    const double square = t.squared_circumradius();
+    return !(square <= max_circumradius * max_circumradius) ||
+           square >
+               max_radius_edge_ratio * max_radius_edge_ratio * t.squared_length(t.shortest_edge());
+  }
+
+  void enqueue_if_bad(Face_handle f) {
+    if (f->info() == queued)
+      return;
+    const Metric_triangle t = triangle(f);
+    if (!is_bad(t))
+      return;
+    f->info() = queued;
+    const bool is_front = t.squared_length(t.shortest_edge()) <= max_front_edge * max_front_edge;
+    (is_front ? front_ : rest_).push_back(f);
+  }
+
+  // ------------------------------------------------------------------------------- new points
+
+  struct Proposal {
+    Uv point;
+    double spacing; // the distance from the ends of the edge to which the point belongs
+  };
+
+  // The point on the bisector of the shortest edge that makes the other two as long as wanted, but
+  // at the farthest the circumcenter.
+  Proposal propose(Face_handle f) const {
+    const Metric_triangle t = triangle(f);
+    const int i = t.shortest_edge();
+    const Uv a = position(f->vertex(Triangulation::ccw(i))),
+             b = position(f->vertex(Triangulation::cw(i)));
+    const Uv middle = 0.5 * (a + b), center = t.circumcenter();
+    const double length = std::sqrt(t.squared_length(i));
+    const double wanted =
+        length > 1 ? (std::max)(1.0, 0.8 * length) : (std::min)(1.0, growth * length);
+    const double height = std::sqrt(wanted * wanted - length * length / 4);
+    const double distance = metric(f).norm(center - middle);
+    if (!(height < distance))
+      return {center, std::sqrt(t.squared_circumradius())};
+    return {middle + height / distance * (center - middle), wanted};
+  }
+
+  void refine(Face_handle f) {
+    // Where a side of the domain is in the way, nothing can be done about sharp angles. But
+    // triangles that are too large all over are divided all the same.
+    const Metric_triangle t = triangle(f);
+    if (!add(f, propose(f)) && t.squared_length(t.shortest_edge()) > 1)
+      add(f, {centroid(f), 1});
+  }
+
+  Uv centroid(Face_handle f) const {
+    return 1. / 3 * (position(f->vertex(0)) + position(f->vertex(1)) + position(f->vertex(2)));
+  }
+
+  // Adds a point that face f has asked for, if there is room for it.
+  bool add(Face_handle f, const Proposal& proposal) {
+    if (!std::isfinite(proposal.point.x) || !std::isfinite(proposal.point.y))
+      return false;
+    const Face_handle at = walk(f, Point_2(FT(proposal.point.x), FT(proposal.point.y)));
+    return at != Face_handle() && !is_too_close(at, proposal) && insert(at, proposal.point);
+  }
+
+  // The face that contains p, if it is seen from face f; no face, if a side is in between.
+  Face_handle walk(Face_handle f, const Point_2& p) const {
+    constexpr int max_steps = 200; // a straight line of faces, unless the triangulation is odd
+    for (int step = 0; step < max_steps; ++step) {
+      bool blocked = false, moved = false;
+      for (int i = 0; i < 3 && !moved; ++i)
+        if (orientation(f->vertex(Triangulation::ccw(i))->point(),
+                        f->vertex(Triangulation::cw(i))->point(), p) == RIGHT_TURN) {
+          blocked = blocked || f->is_constrained(i);
+          if (!f->is_constrained(i)) {
+            f = f->neighbor(i);
+            moved = true;
+          }
+        }
+      if (!moved)
+        return blocked ? Face_handle() : f;
+    }
+    return Face_handle();
+  }
+
+  // Whether a point would be too close to a side or to another point: to one of those that it will
+  // be joined to, which are those of the faces whose circumcircles contain it.
+  bool is_too_close(Face_handle at, const Proposal& proposal) const {
+    constexpr std::size_t max_faces = 40;
+    boost::container::small_vector<Face_handle, 40> cavity{at};
+    for (std::size_t k = 0; k < cavity.size(); ++k)
+      for (int i = 0; i < 3; ++i) {
+        const Face_handle f = cavity[k];
+        if (is_close_to_vertex(f->vertex(i), proposal))
+          return true;
+        if (f->is_constrained(i)) {
+          if (is_close_to_side(f->vertex(Triangulation::ccw(i)), f->vertex(Triangulation::cw(i)),
+                               proposal.point))
+            return true;
+        } else if (cavity.size() < max_faces && is_in_conflict(f->neighbor(i), proposal.point) &&
+                   std::find(cavity.begin(), cavity.end(), f->neighbor(i)) == cavity.end()) {
+          cavity.push_back(f->neighbor(i));
+        }
+      }
+    return false;
+  }
+
+  bool is_in_conflict(Face_handle f, const Uv& p) const {
+    const Metric_triangle t = triangle(f);
+    return metric(f).squared_norm(p - t.circumcenter()) < t.squared_circumradius();
+  }
+
+  bool is_close_to_vertex(Vertex_handle v, const Proposal& proposal) const {
+    const double least = margin * proposal.spacing;
+    return metric(v).squared_norm(proposal.point - position(v)) < least * least;
+  }
+
+  bool is_close_to_side(Vertex_handle v, Vertex_handle w, const Uv& p) const {
+    const Uv a = position(v), b = position(w);
+    const Metric_2 m = 0.5 * (metric(v) + metric(w));
+    const double square = m.squared_norm(b - a), along = m.dot(b - a, p - a);
+    if (along <= 0 || along >= square)
+      return false;
+    const double length = std::sqrt(square);
+    const double height = m.area_factor() * cross(b - a, p - a) / length;
+    return height < margin * (std::min)(1.0, length);
+  }
+
+  bool insert(Face_handle f, Uv p) {
+    // A point on an edge is moved off it.
+    if (!is_strictly_inside(f, p))
+      p = p + 1e-3 * (centroid(f) - p);
+    if (!is_strictly_inside(f, p))
+      return false;
+    const Point_2 point(FT(p.x), FT(p.y));
+    const auto index = [&](int i) { return f->vertex(i)->info(); };
+    const std::size_t hint = hints_[index(0)];
+    const double scale = (scales_[index(0)] + scales_[index(1)] + scales_[index(2)]) / 3;
+    const Vertex_handle v = cdt_.Triangulation::Ctr::insert(point, Triangulation::FACE, f, 0);
+    v->info() = points_.size();
+    points_.push_back(point);
+    add_metric(p, hint, scale);
+    auto face = cdt_.incident_faces(v), done = face;
+    do
+      if (face != f) // f has become one of the three; the others are new
+        face->info() = idle;
+    while (++face != done);
+    flip_around(v);
+    face = done = cdt_.incident_faces(v);
+    do
+      enqueue_if_bad(face);
+    while (++face != done);
+    return true;
+  }
+
+  bool is_strictly_inside(Face_handle f, const Uv& p) const {
+    const Point_2 point(FT(p.x), FT(p.y));
+    for (int i = 0; i < 3; ++i)
+      if (orientation(f->vertex(Triangulation::ccw(i))->point(),
+                      f->vertex(Triangulation::cw(i))->point(), point) != LEFT_TURN)
+        return false;
+    return true;
+  }
+
+  // ------------------------------------------------------------------------------------- flips
+
+  // Whether the edge of f opposite to its vertex i ought to be flipped, and can be.
+  bool wants_flip(Face_handle f, int i) const {
+    if (f->is_constrained(i))
+      return false;
+    const Face_handle g = f->neighbor(i);
+    const Vertex_handle a = f->vertex(Triangulation::ccw(i)), c = f->vertex(Triangulation::cw(i)),
+                        v = f->vertex(i), w = g->vertex(cdt_.mirror_index(f, i));
+    const Metric_2 m = 0.25 * (metric(a) + metric(c) + metric(v) + metric(w));
+    return prefers_other_diagonal(position(a), position(w), position(c), position(v), m) &&
+           orientation(v->point(), a->point(), w->point()) == LEFT_TURN &&
+           orientation(v->point(), w->point(), c->point()) == LEFT_TURN;
+  }
+
+  // Restores the Delaunay property around a new vertex. Every flip adds an edge to it, so they end.
+  void flip_around(Vertex_handle v) {
+    boost::container::small_vector<Face_handle, 16> stack;
+    auto face = cdt_.incident_faces(v), done = face;
+    do
+      stack.push_back(face);
+    while (++face != done);
+    while (!stack.empty()) {
+      Face_handle f = stack.back();
+      stack.pop_back();
+      const int i = f->index(v);
+      if (!wants_flip(f, i))
+        continue;
+      const Face_handle g = f->neighbor(i);
+      cdt_.flip(f, i);
+      stack.push_back(f);
+      stack.push_back(g);
+    }
+  }
+
+  // Restores the Delaunay property everywhere. As the metric is not the same everywhere, flips
+  // could go round in circles; so their number is limited.
+  void make_delaunay() {
+    std::vector<Face_handle> stack;
+    for (const Face_handle f : cdt_.finite_face_handles())
+      if (is_inside(f))
+        stack.push_back(f);
+    std::size_t budget = 20 * stack.size();
+    while (!stack.empty() && budget > 0) {
+      Face_handle f = stack.back();
+      stack.pop_back();
+      for (int i = 0; i < 3; ++i)
+        if (wants_flip(f, i)) {
+          const Face_handle g = f->neighbor(i);
+          cdt_.flip(f, i);
+          stack.push_back(g);
+          stack.push_back(f);
+          --budget;
+          break;
+        }
+    }
+  }
+
+  // --------------------------------------------------------------------------------- smoothing
+
+  void smooth(Vertex_handle v) {
+    if (v->info() < number_of_boundary_points_)
+      return;
+    Uv sum{0, 0};
+    double weight = 0;
+    auto face = cdt_.incident_faces(v), done = face;
+    do {
+      const Metric_triangle t = triangle(face);
+      sum = sum + t.area() * centroid(face);
+      weight += t.area();
+    } while (++face != done);
+    const Uv target = 1 / weight * sum;
+    const double before = worst_quality(v);
+    const Point_2 old = v->point();
+    v->set_point(Point_2(FT(target.x), FT(target.y)));
+    if (is_star_valid(v) && worst_quality(v) > before)
+      points_[v->info()] = v->point();
+    else
+      v->set_point(old);
+  }
+
+  bool is_star_valid(Vertex_handle v) const {
+    auto face = cdt_.incident_faces(v), done = face;
+    do
+      if (orientation(face->vertex(0)->point(), face->vertex(1)->point(),
+                      face->vertex(2)->point()) != LEFT_TURN)
+        return false;
+    while (++face != done);
+    return true;
+  }
+
+  // The smallest ratio of shortest edge and circumradius, which is a matter of the sharpest angle.
+  double worst_quality(Vertex_handle v) const {
+    double worst = std::numeric_limits<double>::infinity();
+    auto face = cdt_.incident_faces(v), done = face;
+    do {
+      const Metric_triangle t = triangle(face);
+      worst = (std::min)(worst, t.squared_length(t.shortest_edge()) / t.squared_circumradius());
+    } while (++face != done);
+    return worst;
+  }
+
+  Triangulation& cdt_;
+  std::vector<Point_2>& points_;
+  const Field& field_;
+  std::size_t number_of_boundary_points_ = points_.size();
+  // By vertex: the metric, where the field was last asked, and by how much edges are shortened.
+  std::vector<Metric_2> metrics_;
+  std::vector<std::size_t> hints_;
+  std::vector<double> scales_;
+  std::deque<Face_handle> front_, rest_; // bad triangles; those with edges of the right size first
+};
+
+} // namespace internal
+} // namespace Multisided_patches
+} // namespace CGAL
+
+#endif // CGAL_MULTISIDED_PATCHES_MESHING_INTERNAL_METRIC_REFINER_H

@@ -1,0 +1,313 @@
+// Copyright (c) 2026 The CGAL Multisided Patches project.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_MULTISIDED_PATCHES_MESHING_INTERNAL_SURFACE_MESHER_H
+#define CGAL_MULTISIDED_PATCHES_MESHING_INTERNAL_SURFACE_MESHER_H
+
+#include <CGAL/Multisided_patches/errors.h>
+#include <CGAL/Multisided_patches/internal/Linked_triangle.h>
+#include <CGAL/Multisided_patches/internal/for_each_index.h>
+#include <CGAL/Multisided_patches/internal/to_text.h>
+#include <CGAL/Multisided_patches/meshing/Mesh_density.h>
+#include <CGAL/Multisided_patches/meshing/Tessellation_visitor.h>
+#include <CGAL/Multisided_patches/meshing/internal/Deviation_meter.h>
+#include <CGAL/Multisided_patches/meshing/internal/Domain_mesher.h>
+#include <CGAL/Multisided_patches/meshing/internal/Scaled_surface.h>
+#include <CGAL/Multisided_patches/meshing/internal/Surface_metric.h>
+#include <CGAL/Multisided_patches/meshing/internal/Uniform_metric.h>
+#include <CGAL/Multisided_patches/meshing/internal/edge_lengths.h>
+#include <CGAL/Multisided_patches/meshing/internal/even_parameters.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Multisided_patches {
+namespace internal {
+
+// Meshes the domain of a patch so that its image on the surface is as fine as asked for.
+//
+// At first there is a coarse mesh, evenly spaced in the domain. It tells how lengths on the surface
+// relate to those in the domain, which is enough for edges of a given length. For bounds on
+// deviations, those of the triangles of one mesh tell the edge lengths for the next one; when only
+// few triangles are left that exceed the bounds, these alone are refined.
+template <typename Patch, typename ConcurrencyTag, typename Visitor>
+class Surface_mesher {
+public:
+  using Traits = typename Patch::Geom_traits;
+  using Domain = Polygonal_domain_2<Traits>;
+  using Mesh = Domain_mesh_2<Traits>;
+
+  Surface_mesher(const Patch& patch, Visitor& visitor) : surface_(patch), visitor_(visitor) {
+    make_coarse_mesh();
+  }
+
+  // Of the surface (squared model units).
+  double area() const { return coarse_metric_.area() * surface_.unit() * surface_.unit(); }
+
+  // Edges of a length (model units) on the average.
+  Mesh with_edge_length(const Side_parameters& sides, double length) {
+    Surface_metric metric = coarse_metric_;
+    metric.set_edge_length(length / surface_.unit());
+    check_count(metric, sides, "an edge length of " + to_short_text(length));
+    Mesher mesher(domain(), sides, metric, coarse_hints_);
+    refine(mesher, expected_points(metric, sides));
+    return mesher.finish();
+  }
+
+  // No deviation larger than the density says, and edges no longer, if it says so.
+  Mesh with_deviations(const Side_parameters& sides, const Mesh_density& density) {
+    const double unit = surface_.unit();
+    // Deviations between the samples are a little larger than at them.
+    constexpr double reserve = 0.9;
+    const Meter meter(surface_, reserve * density.max_chordal_deviation().value_or(infinity) / unit,
+                      reserve * density.max_normal_deviation().value_or(infinity));
+    const double longest =
+        (std::min)(max_edge_length, density.target_edge_length().value_or(infinity) / unit);
+    constexpr int max_rounds = 12;
+    Surface_metric metric = coarse_metric_;
+    std::vector<std::size_t> hints = coarse_hints_;
+    metric.set_edge_lengths(
+        edge_lengths_for_excess(metric, measure(meter, coarse_, coarse_.triangles), longest));
+    for (int round = 1;; ++round) {
+      check_count(metric, sides, "these deviations");
+      Mesher mesher(domain(), sides, metric, hints);
+      refine(mesher, expected_points(metric, sides));
+      Sampled_mesh sampled;
+      sample(mesher, sampled);
+      const std::vector<double> excess = measure(meter, sampled, sampled.triangles);
+      Surface_metric next(sampled);
+      next.set_edge_lengths(edge_lengths_for_excess(next, excess, longest));
+      if (round == max_rounds ||
+          (do_few_exceed(excess) && expected_triangles(next, sides) >=
+                                        0.8 * static_cast<double>(sampled.triangles.size()))) {
+        refine_where_exceeded(mesher, meter, sampled, excess);
+        return mesher.finish();
+      }
+      hints = vertex_hints(next, sides);
+      metric = std::move(next);
+    }
+  }
+
+private:
+  using Location = typename Domain::Location;
+  using Point_2 = typename Traits::Point_2;
+  using Surface = Scaled_surface<Patch>;
+  using Meter = Deviation_meter<Surface>;
+  using Mesher = Domain_mesher<Traits, Surface_metric>;
+
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  // Where nothing else limits them, relative to the size of the patch.
+  static constexpr double max_edge_length = 0.3;
+  // The mean area of triangles that Metric_refiner makes, relative to that of equilateral ones with
+  // edges of length 1; measured on large meshes.
+  static constexpr double mean_triangle_area = 0.945;
+
+  static bool exceeds(double excess) { return !(excess <= 1); }
+
+  static bool do_few_exceed(const std::vector<double>& excess) {
+    constexpr double few = 0.05;
+    const auto failures = std::count_if(excess.begin(), excess.end(), exceeds);
+    return static_cast<double>(failures) <= few * static_cast<double>(excess.size());
+  }
+
+  const Domain& domain() const { return surface_.domain(); }
+
+  void make_coarse_mesh() {
+    constexpr double triangles = 3000;
+    const double spacing =
+        std::sqrt(CGAL::to_double(domain().area()) / triangles * 4 / std::sqrt(3.0));
+    Side_parameters sides;
+    for (std::size_t i = 0; i < domain().size(); ++i)
+      sides.push_back(even_parameters(
+          static_cast<std::size_t>(std::ceil((std::max)(1.0, domain().side_length(i) / spacing)))));
+    const Uniform_metric metric(spacing);
+    Domain_mesher<Traits, Uniform_metric> mesher(domain(), sides, metric,
+                                                 std::vector<std::size_t>(domain().size(), 0));
+    refine(mesher, static_cast<std::size_t>(triangles));
+    sample(mesher, coarse_);
+    coarse_metric_ = Surface_metric(coarse_);
+    coarse_hints_ = vertex_hints(coarse_metric_, sides);
+  }
+
+  // Where to look for the vertices of the domain in a mesh with these samples on the sides.
+  static std::vector<std::size_t> vertex_hints(const Surface_metric& metric,
+                                               const Side_parameters& sides) {
+    std::vector<std::size_t> hints;
+    std::size_t vertex = 0;
+    for (const std::vector<double>& side : sides) {
+      hints.push_back(metric.triangle_at(vertex));
+      vertex += side.size() + 1;
+    }
+    return hints;
+  }
+
+  // ------------------------------------------------------------------------------------ counts
+
+  static double expected_triangles(const Surface_metric& metric, const Side_parameters& sides) {
+    double count = metric.metric_area() / (mean_triangle_area * std::sqrt(3.0) / 4);
+    for (const std::vector<double>& side : sides)
+      count += static_cast<double>(side.size());
+    return count;
+  }
+
+  static std::size_t expected_points(const Surface_metric& metric, const Side_parameters& sides) {
+    return static_cast<std::size_t>(expected_triangles(metric, sides) / 2) + 1;
+  }
+
+  // Refuses densities beyond the limit before anything large is computed.
+  static void check_count(const Surface_metric& metric, const Side_parameters& sides,
+                          const std::string& what) {
+    const double count = expected_triangles(metric, sides);
+    if (!(count <= static_cast<double>(Mesh_density::max_triangles)))
+      throw Input_error(what + " would need about " + to_short_text(count) +
+                        " triangles; the limit is " + std::to_string(Mesh_density::max_triangles));
+  }
+
+  template <typename Any_mesher>
+  void refine(Any_mesher& mesher, std::size_t expected) {
+    report_progress(visitor_, Tessellation_stage::meshing, mesher.mesh().points.size(), expected);
+    // Triangles between short and long segments of the boundary add to what is expected.
+    const std::size_t limit = 4 * expected + 20 * mesher.mesh().points.size() + 1000;
+    mesher.refine(limit, [&](std::size_t points) {
+      report_progress(visitor_, Tessellation_stage::meshing, points, (std::max)(points, expected));
+    });
+  }
+
+  // ------------------------------------------------------------------------------- deviations
+
+  // Brings a sampled mesh up to date with the mesh in the making, of which it was a part.
+  template <typename Any_mesher>
+  void sample(const Any_mesher& mesher, Sampled_mesh& sampled) {
+    const Mesh& mesh = mesher.mesh();
+    const std::size_t old = sampled.uv.size(), n = mesh.points.size();
+    sampled.positions.resize(n);
+    for (std::size_t k = old; k < n; ++k)
+      sampled.uv.push_back(to_uv(mesh.points[k]));
+    in_blocks(n - old, [&](std::size_t k) {
+      sampled.positions[old + k] = surface_.position(mesh.points[old + k], mesh.locations[old + k]);
+    });
+    sampled.triangles = mesher.triangles();
+  }
+
+  // The excess of each of some triangles.
+  std::vector<double> measure(const Meter& meter, const Sampled_mesh& mesh,
+                              const std::vector<Linked_triangle>& triangles) {
+    std::vector<double> excess(triangles.size());
+    in_blocks(triangles.size(),
+              [&](std::size_t k) { excess[k] = meter.excess(meter(mesh, triangles[k])); });
+    return excess;
+  }
+
+  // Adds points where triangles exceed the bounds, until none does.
+  void refine_where_exceeded(Mesher& mesher, const Meter& meter, Sampled_mesh& sampled,
+                             const std::vector<double>& all_excess) {
+    constexpr int max_rounds = 60;
+    std::vector<Linked_triangle> failing;
+    std::vector<double> excess;
+    const auto keep_failing = [&](const std::vector<Linked_triangle>& triangles,
+                                  const std::vector<double>& measured) {
+      failing.clear();
+      excess.clear();
+      for (std::size_t t = 0; t < triangles.size(); ++t)
+        if (exceeds(measured[t])) {
+          failing.push_back(triangles[t]);
+          excess.push_back(measured[t]);
+        }
+    };
+    keep_failing(sampled.triangles, all_excess);
+    for (int round = 0; !failing.empty(); ++round) {
+      if (round == max_rounds)
+        throw_unreachable(meter, sampled, failing, excess);
+      shorten_edges(mesher, failing, excess);
+      const std::size_t old = sampled.uv.size();
+      refine(mesher, old);
+      sample(mesher, sampled);
+      const std::vector<Linked_triangle> suspects = changed_triangles(sampled, old, failing);
+      keep_failing(suspects, measure(meter, sampled, suspects));
+    }
+  }
+
+  // Lets edges at the corners of failing triangles be as much shorter as they ought to be.
+  static void shorten_edges(Mesher& mesher, const std::vector<Linked_triangle>& failing,
+                            const std::vector<double>& excess) {
+    constexpr double least = 0.5, most = 0.85;
+    std::map<std::size_t, double> factors;
+    for (std::size_t t = 0; t < failing.size(); ++t)
+      for (const std::size_t v : failing[t].vertices) {
+        double& factor = factors.emplace(v, 1).first->second;
+        factor = (std::min)(factor, std::clamp(1 / excess[t], least, most));
+      }
+    for (const auto& [vertex, factor] : factors)
+      mesher.shorten_edges(vertex, factor);
+  }
+
+  // Those that are new, because every new triangle has a new vertex, and those that were failing.
+  static std::vector<Linked_triangle>
+  changed_triangles(const Sampled_mesh& sampled, std::size_t old_vertices,
+                    const std::vector<Linked_triangle>& failing) {
+    const auto key = [](const Linked_triangle& t) {
+      std::array<std::size_t, 3> v = t.vertices;
+      std::sort(v.begin(), v.end());
+      return v;
+    };
+    std::set<std::array<std::size_t, 3>> keys;
+    for (const Linked_triangle& t : failing)
+      keys.insert(key(t));
+    std::vector<Linked_triangle> result;
+    for (const Linked_triangle& t : sampled.triangles) {
+      const std::size_t newest = *std::max_element(t.vertices.begin(), t.vertices.end());
+      if (newest >= old_vertices || (!keys.empty() && keys.count(key(t)) > 0))
+        result.push_back(t);
+    }
+    return result;
+  }
+
+  [[noreturn]] void throw_unreachable(const Meter& meter, const Sampled_mesh& mesh,
+                                      const std::vector<Linked_triangle>& failing,
+                                      const std::vector<double>& excess) const {
+    const auto worst =
+        static_cast<std::size_t>(std::max_element(excess.begin(), excess.end()) - excess.begin());
+    const auto& v = failing[worst].vertices;
+    const auto deviation = meter(mesh, failing[worst]);
+    throw Accuracy_error("however fine the triangles are, the mesh deviates from the surface by " +
+                             to_short_text(deviation.chordal * surface_.unit()) + " and " +
+                             to_short_text(deviation.normal * 180 / pi) + " degrees at (u,v) = (" +
+                             to_short_text(mesh.uv[v[0]].x) + ", " +
+                             to_short_text(mesh.uv[v[0]].y) + ")",
+                         excess[worst]);
+  }
+
+  // Calls f(k) for k < n, and tells the visitor in between.
+  template <typename Function>
+  void in_blocks(std::size_t n, const Function& f) {
+    constexpr std::size_t block = 1 << 14, grain = 64;
+    for (std::size_t first = 0; first < n; first += block) {
+      report_progress(visitor_, Tessellation_stage::evaluation, first, n);
+      for_each_index<ConcurrencyTag>((std::min)(block, n - first),
+                                     [&](std::size_t k) { f(first + k); }, grain);
+    }
+  }
+
+  Surface surface_;
+  Visitor& visitor_;
+  Sampled_mesh coarse_;
+  Surface_metric coarse_metric_;
+  std::vector<std::size_t> coarse_hints_;
+};
+
+} // namespace internal
+} // namespace Multisided_patches
+} // namespace CGAL
+
+#endif // CGAL_MULTISIDED_PATCHES_MESHING_INTERNAL_SURFACE_MESHER_H

@@ -1,0 +1,181 @@
+// Copyright (c) 2026 The CGAL Multisided Patches project.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_MULTISIDED_PATCHES_MESHING_INTERNAL_SURFACE_METRIC_H
+#define CGAL_MULTISIDED_PATCHES_MESHING_INTERNAL_SURFACE_METRIC_H
+
+#include <CGAL/Multisided_patches/internal/Linked_triangle.h>
+#include <CGAL/Multisided_patches/internal/vector_utils.h>
+#include <CGAL/Multisided_patches/meshing/internal/Metric_2.h>
+#include <CGAL/Multisided_patches/meshing/internal/Sampled_mesh.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Multisided_patches {
+namespace internal {
+
+// A coarse mesh of a surface over its domain, which tells about lengths on the surface: a first
+// fundamental form at every vertex, from the triangles around it, and linear in between. Divided by
+// the square of the edge length that is wanted at the vertices it is the metric for Metric_refiner.
+//
+// Lengths on the surface are in any unit, the same everywhere.
+class Surface_metric {
+public:
+  Surface_metric() = default;
+  explicit Surface_metric(const Sampled_mesh& mesh)
+      : uv_(mesh.uv), triangles_(mesh.triangles), forms_(uv_.size(), {0, 0, 0}),
+        metrics_(uv_.size()), face_of_(uv_.size(), 0) {
+    const std::vector<Vec3>& positions = mesh.positions;
+    std::vector<double> weights(uv_.size(), 0);
+    for (std::size_t t = 0; t < triangles_.size(); ++t) {
+      const auto& v = triangles_[t].vertices;
+      area_ += norm(cross(difference(positions[v[1]], positions[v[0]]),
+                          difference(positions[v[2]], positions[v[0]]))) /
+               2;
+      for (const std::size_t k : v)
+        face_of_[k] = t;
+      // Sharp triangles say little about lengths across them.
+      const double area = cross(uv_[v[1]] - uv_[v[0]], uv_[v[2]] - uv_[v[0]]);
+      const double weight = area * quality(v);
+      if (!(weight > 0))
+        continue;
+      const Metric_2 form = first_fundamental_form(v, positions);
+      for (const std::size_t k : v) {
+        forms_[k] = forms_[k] + weight * form;
+        weights[k] += weight;
+      }
+    }
+    for (std::size_t k = 0; k < uv_.size(); ++k)
+      if (weights[k] > 0)
+        forms_[k] = 1 / weights[k] * forms_[k];
+    regularize();
+    set_edge_length(1);
+  }
+
+  const std::vector<Linked_triangle>& triangles() const { return triangles_; }
+  std::size_t number_of_vertices() const { return uv_.size(); }
+  // Of the surface.
+  double area() const { return area_; }
+
+  // The edge lengths that are wanted at the vertices.
+  void set_edge_lengths(const std::vector<double>& lengths) {
+    for (std::size_t k = 0; k < uv_.size(); ++k)
+      metrics_[k] = 1 / (lengths[k] * lengths[k]) * forms_[k];
+  }
+  void set_edge_length(double length) { set_edge_lengths(std::vector<double>(uv_.size(), length)); }
+
+  // The area of the domain in the metric: that of the surface in units of the square of the local
+  // edge length.
+  double metric_area() const {
+    double sum = 0;
+    for (const Linked_triangle& t : triangles_) {
+      const auto& v = t.vertices;
+      const Metric_2 m = 1. / 3 * (metrics_[v[0]] + metrics_[v[1]] + metrics_[v[2]]);
+      sum += m.area_factor() * cross(uv_[v[1]] - uv_[v[0]], uv_[v[2]] - uv_[v[0]]) / 2;
+    }
+    return sum;
+  }
+
+  // The metric at a point of the domain. The search starts at triangle `hint`, which is then the
+  // one where it ended: the one with the point, or the last one before the boundary.
+  Metric_2 operator()(const Uv& p, std::size_t& hint) const {
+    constexpr int max_steps = 1000;
+    for (int step = 0; step < max_steps; ++step) {
+      const std::size_t next = neighbor_towards(hint, p);
+      if (next == Linked_triangle::none)
+        break;
+      hint = next;
+    }
+    return interpolate(hint, p);
+  }
+
+  // A triangle with the vertex, to start searching from.
+  std::size_t triangle_at(std::size_t vertex) const { return face_of_[vertex]; }
+
+  // A length of the surface between two vertices along an edge.
+  double length(std::size_t v, std::size_t w) const {
+    return (0.5 * (forms_[v] + forms_[w])).norm(uv_[w] - uv_[v]);
+  }
+
+private:
+  // 1 for equilateral triangles, 0 for flat ones.
+  double quality(const std::array<std::size_t, 3>& v) const {
+    const Metric_triangle t({uv_[v[0]], uv_[v[1]], uv_[v[2]]}, Metric_2{1, 0, 1});
+    const double sum = t.squared_length(0) + t.squared_length(1) + t.squared_length(2);
+    return sum > 0 ? 4 * std::sqrt(3.0) * t.area() / sum : 0;
+  }
+
+  // Of the linear map of the triangle from the domain to the surface.
+  Metric_2 first_fundamental_form(const std::array<std::size_t, 3>& v,
+                                  const std::vector<Vec3>& positions) const {
+    const Uv a = uv_[v[1]] - uv_[v[0]], b = uv_[v[2]] - uv_[v[0]];
+    const Vec3 p = difference(positions[v[1]], positions[v[0]]),
+               q = difference(positions[v[2]], positions[v[0]]);
+    const double d = cross(a, b);
+    Vec3 along_u, along_v;
+    for (int c = 0; c < 3; ++c) {
+      along_u[c] = (b.y * p[c] - a.y * q[c]) / d;
+      along_v[c] = (a.x * q[c] - b.x * p[c]) / d;
+    }
+    return {dot(along_u, along_u), dot(along_u, along_v), dot(along_v, along_v)};
+  }
+
+  // Where the surface is squeezed to a curve or a point, lengths across would vanish, and triangles
+  // become infinitely many or infinitely long.
+  void regularize() {
+    constexpr double max_stretch = 20; // the largest ratio of lengths in two directions
+    double mean = 0;
+    for (const Metric_2& m : forms_)
+      mean += (m.E + m.G) / 2 / static_cast<double>(forms_.size());
+    for (Metric_2& m : forms_) {
+      const double slack = ((m.E + m.G) / (max_stretch * max_stretch) + 1e-6 * mean);
+      m = m + slack * Metric_2{1, 0, 1};
+    }
+  }
+
+  // The neighbour across the edge beyond which p lies, if there is one.
+  std::size_t neighbor_towards(std::size_t t, const Uv& p) const {
+    const Linked_triangle& triangle = triangles_[t];
+    for (int i = 0; i < 3; ++i) {
+      const Uv &a = uv_[triangle.vertices[(i + 1) % 3]], &b = uv_[triangle.vertices[(i + 2) % 3]];
+      if (cross(b - a, p - a) < 0 && triangle.neighbors[i] != Linked_triangle::none)
+        return triangle.neighbors[i];
+    }
+    return Linked_triangle::none;
+  }
+
+  Metric_2 interpolate(std::size_t t, const Uv& p) const {
+    const auto& v = triangles_[t].vertices;
+    std::array<double, 3> weight;
+    double sum = 0;
+    for (int i = 0; i < 3; ++i) {
+      const Uv &a = uv_[v[(i + 1) % 3]], &b = uv_[v[(i + 2) % 3]];
+      weight[i] = (std::max)(0.0, cross(b - a, p - a));
+      sum += weight[i];
+    }
+    if (!(sum > 0))
+      return metrics_[v[0]];
+    return weight[0] / sum * metrics_[v[0]] + weight[1] / sum * metrics_[v[1]] +
+           weight[2] / sum * metrics_[v[2]];
+  }
+
+  std::vector<Uv> uv_;
+  std::vector<Linked_triangle> triangles_;
+  std::vector<Metric_2> forms_; // by vertex
+  std::vector<Metric_2> metrics_;
+  std::vector<std::size_t> face_of_;
+  double area_ = 0;
+};
+
+} // namespace internal
+} // namespace Multisided_patches
+} // namespace CGAL
+
+#endif // CGAL_MULTISIDED_PATCHES_MESHING_INTERNAL_SURFACE_METRIC_H
