@@ -8,13 +8,15 @@
 
 /*!
  * \file
- * The whole package except for writing meshes, which needs
- * `CGAL/Multisided_patches/IO/surface_mesh.h` or CGAL's own functions.
+ * The whole package, except for what few programs need and is slow to compile: writing meshes
+ * (`CGAL/Multisided_patches/IO/surface_mesh.h`, or CGAL's own functions) and
+ * `CGAL/Multisided_patches/analysis/self_intersections.h`.
  */
 
 #include <CGAL/Multisided_patches/IO/CGB.h>
 #include <CGAL/Multisided_patches/IO/polygon_file.h>
 #include <CGAL/Multisided_patches/analysis/boundary_deviation.h>
+#include <CGAL/Multisided_patches/analysis/check_mesh.h>
 #include <CGAL/Multisided_patches/analysis/continuity_report.h>
 #include <CGAL/Multisided_patches/analysis/mesh_topology.h>
 #include <CGAL/Multisided_patches/analysis/rounding_report.h>
@@ -23,7 +25,10 @@
 #include <CGAL/Multisided_patches/coordinates/Mean_value_coordinates_2.h>
 #include <CGAL/Multisided_patches/coordinates/Wachspress_coordinates_2.h>
 #include <CGAL/Multisided_patches/domains/make_domain.h>
+#include <CGAL/Multisided_patches/meshing/is_valid_domain_mesh.h>
 #include <CGAL/Multisided_patches/meshing/tessellate.h>
+#include <CGAL/Multisided_patches/meshing/tessellate_complex.h>
+#include <CGAL/Multisided_patches/meshing/triangulate_domain.h>
 #include <CGAL/Multisided_patches/patches/Concave_bezier_patch_3.h>
 #include <CGAL/Multisided_patches/patches/Surface_geometry_3.h>
 #include <CGAL/Multisided_patches/ribbons/Ribbon_loop_3.h>

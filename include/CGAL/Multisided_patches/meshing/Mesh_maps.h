@@ -70,6 +70,13 @@ public:
   }
 };
 
+/*!
+ * Stands for the property maps that `tessellate()` makes if it is not told others: for a
+ * `Surface_mesh` these are `"v:normal"` (`Vector_3`, unit length), `"v:u"` and `"v:v"` (`double`,
+ * domain units), and of a complex `"f:patch"` (`int`), too; for other meshes none.
+ */
+struct Default_maps {};
+
 } // namespace Multisided_patches
 } // namespace CGAL
 

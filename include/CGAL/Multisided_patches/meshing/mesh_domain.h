@@ -16,6 +16,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -94,8 +95,9 @@ void find_edge_length(std::size_t target, double area, const Function& mesh) {
 template <typename ConcurrencyTag = Parallel_if_available_tag, typename Patch,
           typename Visitor = Tessellation_visitor>
 Domain_mesh_2<typename Patch::Geom_traits>
-mesh_domain(const Patch& patch, const Mesh_density& density, Visitor visitor = Visitor()) {
-  internal::Surface_mesher<Patch, ConcurrencyTag, Visitor> mesher(patch, visitor);
+mesh_domain(const Patch& patch, const Mesh_density& density, Visitor&& visitor = Visitor()) {
+  internal::Surface_mesher<Patch, ConcurrencyTag, std::remove_reference_t<Visitor>> mesher(patch,
+                                                                                           visitor);
   Domain_mesh_2<typename Patch::Geom_traits> mesh;
   const auto mesh_with_edge_length = [&](double length) {
     mesh = mesher.with_edge_length(internal::sample_sides(patch, length), length);

@@ -38,9 +38,7 @@ namespace Multisided_patches {
  * \param patch the patch
  * \param domain_mesh the mesh of its domain
  * \param mesh receives the triangles, in addition to those that it has
- * \param maps what else is written, and where to: a `Mesh_maps`. By default a `Surface_mesh` gets
- * the property maps `"v:normal"` (`Vector_3`, unit length), `"v:u"` and `"v:v"` (`double`, domain
- * units), and other meshes get nothing
+ * \param maps what else is written, and where to: a `Mesh_maps`, or the `Default_maps`
  * \param visitor hears of the progress and can cancel, see `Tessellation_visitor`
  *
  * \throws Numerical_error if a point of the surface is not finite
@@ -49,9 +47,9 @@ namespace Multisided_patches {
  * Complexity: one evaluation of the patch with first derivatives for each vertex.
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag, typename Patch, typename FaceGraph,
-          typename Maps = internal::Default_maps, typename Visitor = Tessellation_visitor>
+          typename Maps = Default_maps, typename Visitor = Tessellation_visitor>
 void tessellate(const Patch& patch, const Domain_mesh_2<typename Patch::Geom_traits>& domain_mesh,
-                FaceGraph& mesh, const Maps& maps = Maps(), Visitor visitor = Visitor()) {
+                FaceGraph& mesh, const Maps& maps = Maps(), Visitor&& visitor = Visitor()) {
   auto patch_mesh = internal::evaluate_vertices<ConcurrencyTag>(patch, domain_mesh, visitor);
   internal::fill_missing_normals(patch_mesh);
   const std::size_t n = domain_mesh.points.size();
@@ -79,9 +77,9 @@ void tessellate(const Patch& patch, const Domain_mesh_2<typename Patch::Geom_tra
  * \throws Cancelled if the visitor wants so; `mesh` is unchanged in all these cases
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag, typename Patch, typename FaceGraph,
-          typename Maps = internal::Default_maps, typename Visitor = Tessellation_visitor>
+          typename Maps = Default_maps, typename Visitor = Tessellation_visitor>
 void tessellate(const Patch& patch, FaceGraph& mesh, const Mesh_density& density,
-                const Maps& maps = Maps(), Visitor visitor = Visitor()) {
+                const Maps& maps = Maps(), Visitor&& visitor = Visitor()) {
   tessellate<ConcurrencyTag>(patch, mesh_domain<ConcurrencyTag>(patch, density, visitor), mesh,
                              maps, visitor);
 }

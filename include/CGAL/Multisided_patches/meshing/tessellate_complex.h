@@ -34,18 +34,18 @@ namespace Multisided_patches {
  * \param complex the patches
  * \param mesh receives the triangles, in addition to those that it has, patch after patch
  * \param density how fine: a target edge length (model units), or a `Mesh_density`
- * \param maps what else is written, and where to: a `Mesh_maps`. By default a `Surface_mesh` gets
- * the maps that the function for a single patch gives it, and `"f:patch"` (`int`)
+ * \param maps what else is written, and where to: a `Mesh_maps`, or the `Default_maps`
  * \param visitor hears of the progress and can cancel, see `Tessellation_visitor`
  *
  * \throws Error as the function for a single patch does; the message begins with the name of the
  * patch, and `mesh` is unchanged
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag, typename Patch, typename FaceGraph,
-          typename Maps = internal::Default_maps, typename Visitor = Tessellation_visitor>
+          typename Maps = Default_maps, typename Visitor = Tessellation_visitor>
 void tessellate(const Patch_complex<Patch>& complex, FaceGraph& mesh, const Mesh_density& density,
-                const Maps& maps = Maps(), Visitor visitor = Visitor()) {
-  internal::Complex_mesher<Patch, ConcurrencyTag, Visitor> mesher(complex, visitor);
+                const Maps& maps = Maps(), Visitor&& visitor = Visitor()) {
+  internal::Complex_mesher<Patch, ConcurrencyTag, std::remove_reference_t<Visitor>> mesher(complex,
+                                                                                           visitor);
   mesher.run(density);
   internal::report_progress(visitor, Tessellation_stage::assembly, 0, mesher.number_of_vertices());
   const auto all_maps = internal::maps_or_default(maps, mesh, complex);

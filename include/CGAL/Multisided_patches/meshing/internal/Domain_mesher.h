@@ -45,6 +45,7 @@ public:
     refiner_.refine(max_points, progress);
     mesh_.locations.resize(mesh_.points.size(), Location::interior());
   }
+  void keep_off_sides(double share_of_length) { refiner_.keep_off_sides(share_of_length); }
   void smooth(int sweeps) { refiner_.smooth(sweeps); }
   void shorten_edges(std::size_t vertex, double factor) { refiner_.shorten_edges(vertex, factor); }
 

@@ -90,6 +90,11 @@ public:
     metrics_[vertex] = 1 / (factor * factor) * metrics_[vertex];
   }
 
+  // From now on new points keep this distance from sides, relative to their length, even where
+  // short edges are wanted: triangles on long sides become flat otherwise, and the flatter they
+  // are, the more their normals tilt with the height of an arc over its chord.
+  void keep_off_sides(double share_of_length) { least_height_ = share_of_length; }
+
   // Moves every point inside towards the centroid of the triangles around it, if that makes their
   // sharpest angle less sharp, and restores the Delaunay property; as many times as it is told.
   void smooth(int sweeps) {
@@ -255,7 +260,7 @@ private:
       return false;
     const double length = std::sqrt(square);
     const double height = m.area_factor() * cross(b - a, p - a) / length;
-    return height < margin * (std::min)(1.0, length);
+    return height < (std::max)(margin * (std::min)(1.0, length), least_height_ * length);
   }
 
   bool insert(Face_handle f, Uv p) {
@@ -400,6 +405,7 @@ private:
   std::vector<Point_2>& points_;
   const Field& field_;
   std::size_t number_of_boundary_points_ = points_.size();
+  double least_height_ = 0;
   // By vertex: the metric, where the field was last asked, and by how much edges are shortened.
   std::vector<Metric_2> metrics_;
   std::vector<std::size_t> hints_;

@@ -14,6 +14,7 @@
 #include <CGAL/Multisided_patches/meshing/Tessellation_visitor.h>
 #include <CGAL/Multisided_patches/meshing/internal/Deviation_meter.h>
 #include <CGAL/Multisided_patches/meshing/internal/Domain_mesher.h>
+#include <CGAL/Multisided_patches/meshing/internal/Refinement_outlook.h>
 #include <CGAL/Multisided_patches/meshing/internal/Scaled_surface.h>
 #include <CGAL/Multisided_patches/meshing/internal/Surface_metric.h>
 #include <CGAL/Multisided_patches/meshing/internal/Uniform_metric.h>
@@ -77,21 +78,26 @@ public:
     constexpr int max_rounds = 12;
     Surface_metric metric = coarse_metric_;
     std::vector<std::size_t> hints = coarse_hints_;
+    Refinement_outlook outlook;
     metric.set_edge_lengths(
         edge_lengths_for_excess(metric, measure(meter, coarse_, coarse_.triangles), longest));
     for (int round = 1;; ++round) {
       check_count(metric, sides, "these deviations");
       Mesher mesher(domain(), sides, metric, hints);
+      mesher.keep_off_sides(least_height_on_sides);
       refine(mesher, expected_points(metric, sides));
       Sampled_mesh sampled;
       sample(mesher, sampled);
       const std::vector<double> excess = measure(meter, sampled, sampled.triangles);
+      outlook.update(sampled.triangles.size(), excess);
+      if (outlook.is_hopeless())
+        throw_unreachable(meter, sampled, sampled.triangles, excess);
       Surface_metric next(sampled);
       next.set_edge_lengths(edge_lengths_for_excess(next, excess, longest));
       if (round == max_rounds ||
           (do_few_exceed(excess) && expected_triangles(next, sides) >=
                                         0.8 * static_cast<double>(sampled.triangles.size()))) {
-        refine_where_exceeded(mesher, meter, sampled, excess);
+        refine_where_exceeded(mesher, meter, sampled, excess, outlook);
         return mesher.finish();
       }
       hints = vertex_hints(next, sides);
@@ -113,7 +119,10 @@ private:
   // edges of length 1; measured on large meshes.
   static constexpr double mean_triangle_area = 0.945;
 
-  static bool exceeds(double excess) { return !(excess <= 1); }
+  // Of triangles on sides, if there is a bound on deviations; relative to the segment of the side.
+  static constexpr double least_height_on_sides = 0.15;
+
+  static bool exceeds(double excess) { return excess > 1; }
 
   static bool do_few_exceed(const std::vector<double>& excess) {
     constexpr double few = 0.05;
@@ -204,15 +213,17 @@ private:
   std::vector<double> measure(const Meter& meter, const Sampled_mesh& mesh,
                               const std::vector<Linked_triangle>& triangles) {
     std::vector<double> excess(triangles.size());
-    in_blocks(triangles.size(),
-              [&](std::size_t k) { excess[k] = meter.excess(meter(mesh, triangles[k])); });
+    in_blocks(triangles.size(), [&](std::size_t k) {
+      const double e = meter.excess(meter(mesh, triangles[k]));
+      excess[k] = std::isnan(e) ? infinity : e;
+    });
     return excess;
   }
 
   // Adds points where triangles exceed the bounds, until none does.
   void refine_where_exceeded(Mesher& mesher, const Meter& meter, Sampled_mesh& sampled,
-                             const std::vector<double>& all_excess) {
-    constexpr int max_rounds = 60;
+                             const std::vector<double>& all_excess, Refinement_outlook& outlook) {
+    constexpr int max_rounds = 40;
     std::vector<Linked_triangle> failing;
     std::vector<double> excess;
     const auto keep_failing = [&](const std::vector<Linked_triangle>& triangles,
@@ -227,7 +238,7 @@ private:
     };
     keep_failing(sampled.triangles, all_excess);
     for (int round = 0; !failing.empty(); ++round) {
-      if (round == max_rounds)
+      if (round == max_rounds || outlook.is_hopeless())
         throw_unreachable(meter, sampled, failing, excess);
       shorten_edges(mesher, failing, excess);
       const std::size_t old = sampled.uv.size();
@@ -235,6 +246,7 @@ private:
       sample(mesher, sampled);
       const std::vector<Linked_triangle> suspects = changed_triangles(sampled, old, failing);
       keep_failing(suspects, measure(meter, sampled, suspects));
+      outlook.update(sampled.triangles.size(), excess);
     }
   }
 
@@ -274,12 +286,12 @@ private:
   }
 
   [[noreturn]] void throw_unreachable(const Meter& meter, const Sampled_mesh& mesh,
-                                      const std::vector<Linked_triangle>& failing,
+                                      const std::vector<Linked_triangle>& triangles,
                                       const std::vector<double>& excess) const {
     const auto worst =
         static_cast<std::size_t>(std::max_element(excess.begin(), excess.end()) - excess.begin());
-    const auto& v = failing[worst].vertices;
-    const auto deviation = meter(mesh, failing[worst]);
+    const auto& v = triangles[worst].vertices;
+    const auto deviation = meter(mesh, triangles[worst]);
     throw Accuracy_error("however fine the triangles are, the mesh deviates from the surface by " +
                              to_short_text(deviation.chordal * surface_.unit()) + " and " +
                              to_short_text(deviation.normal * 180 / pi) + " degrees at (u,v) = (" +

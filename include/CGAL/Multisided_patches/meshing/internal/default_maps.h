@@ -19,9 +19,6 @@ namespace CGAL {
 namespace Multisided_patches {
 namespace internal {
 
-// Stands for the maps of a caller who did not say which.
-struct Default_maps {};
-
 // The coordinates of a point in two maps of their own, as files of meshes have them.
 template <typename Map>
 struct Uv_maps {
