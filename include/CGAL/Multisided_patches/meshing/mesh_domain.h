@@ -6,6 +6,7 @@
 #ifndef CGAL_MULTISIDED_PATCHES_MESH_DOMAIN_H
 #define CGAL_MULTISIDED_PATCHES_MESH_DOMAIN_H
 
+#include <CGAL/Multisided_patches/errors.h>
 #include <CGAL/Multisided_patches/meshing/Domain_mesh_2.h>
 #include <CGAL/Multisided_patches/meshing/Mesh_density.h>
 #include <CGAL/Multisided_patches/meshing/Tessellation_visitor.h>
@@ -26,21 +27,38 @@ namespace internal {
 
 // How the sides are sampled for a density that is not a number of triangles. The curve takes a half
 // of the chordal deviation, so that something is left for the triangles next to it.
-inline Side_sampling side_sampling(const Mesh_density& density) {
+inline Side_sampling side_sampling(const Mesh_density& density, double share_of_turn) {
   Side_sampling rule;
   rule.max_edge_length = density.target_edge_length();
   if (density.max_chordal_deviation())
     rule.max_chordal_deviation = *density.max_chordal_deviation() / 2;
-  rule.max_turn = density.max_normal_deviation();
+  if (density.max_normal_deviation())
+    rule.max_turn = share_of_turn * *density.max_normal_deviation();
   return rule;
 }
 
 template <typename Patch>
-Side_parameters sample_sides(const Patch& patch, const Mesh_density& density) {
+Side_parameters sample_sides(const Patch& patch, const Mesh_density& density,
+                             double share_of_turn = 1) {
   Side_parameters sides;
   for (std::size_t i = 0; i < patch.domain().size(); ++i)
-    sides.push_back(sample_side(patch, i, side_sampling(density)));
+    sides.push_back(sample_side(patch, i, side_sampling(density, share_of_turn)));
   return sides;
+}
+
+// Calls mesh(share_of_turn), at first with 1. Where the surface twists along a side whose curve
+// does not turn, no triangles inside bring the normal deviation within its bound; then the sides
+// need more samples.
+template <typename Function>
+void find_share_of_turn(const Mesh_density& density, const Function& mesh) {
+  constexpr double least = 1. / 8;
+  for (double share = 1;; share /= 2)
+    try {
+      return mesh(share);
+    } catch (const Accuracy_error&) {
+      if (!density.max_normal_deviation() || share <= least)
+        throw;
+    }
 }
 
 // Calls mesh(edge_length), which returns a number of triangles, until that is the target, up to a
@@ -106,7 +124,9 @@ mesh_domain(const Patch& patch, const Mesh_density& density, Visitor&& visitor =
   if (density.target_triangles())
     internal::find_edge_length(*density.target_triangles(), mesher.area(), mesh_with_edge_length);
   else if (density.max_chordal_deviation() || density.max_normal_deviation())
-    mesh = mesher.with_deviations(internal::sample_sides(patch, density), density);
+    internal::find_share_of_turn(density, [&](double share) {
+      mesh = mesher.with_deviations(internal::sample_sides(patch, density, share), density);
+    });
   else
     mesh_with_edge_length(*density.target_edge_length());
   return mesh;

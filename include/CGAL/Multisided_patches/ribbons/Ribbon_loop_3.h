@@ -63,15 +63,10 @@ public:
       : ribbons_(std::move(ribbons)) {
     if (size() < 3)
       throw Input_error("a loop needs at least 3 ribbons, not " + std::to_string(size()));
-    for (const Ribbon& r : ribbons_)
-      for (const Point_3& p : r.control_points())
-        bbox_ += p.bbox();
-    if (!(diagonal() > min_diagonal && diagonal() < max_diagonal))
-      throw Input_error("the control points are too far apart or too close to each other: the "
-                        "diagonal of their bounding box is " +
-                        internal::to_short_text(diagonal()) + ", not between 1e-152 and 1e152");
+    measure();
     for (std::size_t i = 0; i < size(); ++i)
       close_corner(i, relative_tolerance * diagonal());
+    measure(); // a corner that was closed may have shrunk the bounding box
     for (std::size_t i = 0; i < size(); ++i)
       if (internal::norm(internal::start_direction(ribbons_[i])) == 0)
         throw Input_error("the boundary curve of side " + std::to_string(i) +
@@ -123,6 +118,17 @@ public:
   }
 
 private:
+  void measure() {
+    bbox_ = Bbox_3();
+    for (const Ribbon& r : ribbons_)
+      for (const Point_3& p : r.control_points())
+        bbox_ += p.bbox();
+    if (!(diagonal() > min_diagonal && diagonal() < max_diagonal))
+      throw Input_error("the control points are too far apart or too close to each other: the "
+                        "diagonal of their bounding box is " +
+                        internal::to_short_text(diagonal()) + ", not between 1e-152 and 1e152");
+  }
+
   void close_corner(std::size_t i, double tolerance) {
     const Ribbon& r = ribbons_[i];
     const Point_3& start = corner_point(next(i));

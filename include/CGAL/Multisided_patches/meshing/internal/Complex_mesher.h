@@ -84,7 +84,7 @@ public:
       find_edge_length(*density.target_triangles(), area,
                        [&](double length) { return mesh_domains(length); });
     } else {
-      mesh_domains(density);
+      find_share_of_turn(density, [&](double share) { mesh_domains(density, share); });
     }
     meshers_.clear();
     for_each_patch([&](std::size_t k) {
@@ -147,8 +147,8 @@ private:
   }
 
   // Returns the number of triangles.
-  std::size_t mesh_domains(const Mesh_density& density) {
-    const std::vector<Side_parameters> sides = sample_all(density);
+  std::size_t mesh_domains(const Mesh_density& density, double share_of_turn = 1) {
+    const std::vector<Side_parameters> sides = sample_all(density, share_of_turn);
     for_each_patch([&](std::size_t k) {
       domain_meshes_[k] =
           density.max_chordal_deviation() || density.max_normal_deviation()
@@ -163,9 +163,11 @@ private:
   }
 
   // A shared side has the samples of the first patch.
-  std::vector<Side_parameters> sample_all(const Mesh_density& density) const {
+  std::vector<Side_parameters> sample_all(const Mesh_density& density, double share_of_turn) const {
     std::vector<Side_parameters> sides(size());
-    for_each_patch([&](std::size_t k) { sides[k] = sample_sides(complex_.patches()[k], density); });
+    for_each_patch([&](std::size_t k) {
+      sides[k] = sample_sides(complex_.patches()[k], density, share_of_turn);
+    });
     for (const Shared_side& s : complex_.shared_sides()) {
       const std::vector<double>& from = sides[s.patch_a][s.side_a];
       std::vector<double>& to = sides[s.patch_b][s.side_b];

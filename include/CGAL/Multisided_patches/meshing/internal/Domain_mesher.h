@@ -47,7 +47,11 @@ public:
   }
   void keep_off_sides(double share_of_length) { refiner_.keep_off_sides(share_of_length); }
   void smooth(int sweeps) { refiner_.smooth(sweeps); }
-  void shorten_edges(std::size_t vertex, double factor) { refiner_.shorten_edges(vertex, factor); }
+  // Divides triangles, given by their numbers in triangles().
+  void divide(const std::vector<std::size_t>& triangles) {
+    refiner_.divide(triangles);
+    mesh_.locations.resize(mesh_.points.size(), Location::interior());
+  }
 
   // Without triangles.
   const Mesh& mesh() const { return mesh_; }

@@ -50,13 +50,9 @@ public:
   // New points are appended to `points`. The hints are those of the points that there are.
   Metric_refiner(Boundary& boundary, std::vector<Point_2>& points, const Field& field,
                  std::vector<std::size_t> hints)
-      : cdt_(boundary.triangulation()), points_(points), field_(field), hints_(std::move(hints)),
-        scales_(points.size(), 1) {
+      : cdt_(boundary.triangulation()), points_(points), field_(field), hints_(std::move(hints)) {
     for (std::size_t k = 0; k < points_.size(); ++k)
       metrics_.push_back(field_(to_uv(points_[k]), hints_[k]));
-    for (const Face_handle f : cdt_.finite_face_handles())
-      if (is_inside(f))
-        f->info() = idle;
     make_delaunay();
   }
 
@@ -64,9 +60,13 @@ public:
   // progress(number of points), which may throw.
   template <typename Progress>
   void refine(std::size_t max_points, const Progress& progress) {
+    front_.clear();
+    rest_.clear();
     for (const Face_handle f : cdt_.finite_face_handles())
-      if (is_inside(f))
+      if (is_inside(f)) {
+        f->info() = idle; // whoever asked for the triangles has numbered them
         enqueue_if_bad(f);
+      }
     constexpr std::size_t block = 4096;
     std::size_t next_report = points_.size() + block;
     while (points_.size() < max_points && !(front_.empty() && rest_.empty())) {
@@ -83,17 +83,35 @@ public:
     }
   }
 
-  // Lets the edges at a point be shorter than the field says, by a factor, and with them those at
-  // points that are added close by.
-  void shorten_edges(std::size_t vertex, double factor) {
-    scales_[vertex] *= factor;
-    metrics_[vertex] = 1 / (factor * factor) * metrics_[vertex];
-  }
-
   // From now on new points keep this distance from sides, relative to their length, even where
   // short edges are wanted: triangles on long sides become flat otherwise, and the flatter they
   // are, the more their normals tilt with the height of an arc over its chord.
   void keep_off_sides(double share_of_length) { least_height_ = share_of_length; }
+
+  // Adds a point for each of some triangles, at their circumcenters or, where a side is in the way,
+  // at their centroids: for triangles that are too large for reasons of their own. They are given
+  // by their numbers in Boundary_triangulation::triangles(), in order.
+  void divide(const std::vector<std::size_t>& triangles) {
+    std::vector<Face_handle> faces;
+    std::size_t number = 0, next = 0;
+    for (const Face_handle f : cdt_.finite_face_handles()) {
+      if (!is_inside(f))
+        continue;
+      if (next < triangles.size() && number == triangles[next]) {
+        faces.push_back(f);
+        ++next;
+      }
+      ++number;
+      f->info() = idle;
+    }
+    std::vector<std::array<Vertex_handle, 3>> corners;
+    for (const Face_handle f : faces)
+      corners.push_back({f->vertex(0), f->vertex(1), f->vertex(2)});
+    for (std::size_t k = 0; k < faces.size(); ++k)
+      divide(faces[k], corners[k]);
+    front_.clear();
+    rest_.clear();
+  }
 
   // Moves every point inside towards the centroid of the triangles around it, if that makes their
   // sharpest angle less sharp, and restores the Delaunay property; as many times as it is told.
@@ -121,10 +139,9 @@ private:
 
   static bool is_inside(Face_handle f) { return Boundary::is_inside(f); }
 
-  void add_metric(const Uv& p, std::size_t hint, double scale) {
-    metrics_.push_back(1 / (scale * scale) * field_(p, hint));
+  void add_metric(const Uv& p, std::size_t hint) {
+    metrics_.push_back(field_(p, hint));
     hints_.push_back(hint);
-    scales_.push_back(scale);
   }
 
   Uv position(Vertex_handle v) const { return to_uv(v->point()); }
@@ -157,8 +174,10 @@ private:
 
   // ------------------------------------------------------------------------------- new points
 
+  // All lengths are those of the face that asks for the point.
   struct Proposal {
     Uv point;
+    Metric_2 metric;
     double spacing; // the distance from the ends of the edge to which the point belongs
   };
 
@@ -174,10 +193,11 @@ private:
     const double wanted =
         length > 1 ? (std::max)(1.0, 0.8 * length) : (std::min)(1.0, growth * length);
     const double height = std::sqrt(wanted * wanted - length * length / 4);
-    const double distance = metric(f).norm(center - middle);
+    const Metric_2 m = metric(f);
+    const double distance = m.norm(center - middle);
     if (!(height < distance))
-      return {center, std::sqrt(t.squared_circumradius())};
-    return {middle + height / distance * (center - middle), wanted};
+      return {center, m, std::sqrt(t.squared_circumradius())};
+    return {middle + height / distance * (center - middle), m, wanted};
   }
 
   void refine(Face_handle f) {
@@ -185,7 +205,43 @@ private:
     // triangles that are too large all over are divided all the same.
     const Metric_triangle t = triangle(f);
     if (!add(f, propose(f)) && t.squared_length(t.shortest_edge()) > 1)
-      add(f, {centroid(f), 1});
+      add(f, {centroid(f), metric(f), 1});
+  }
+
+  static bool has_corners(Face_handle f, const std::array<Vertex_handle, 3>& corners) {
+    return std::all_of(corners.begin(), corners.end(),
+                       [&](Vertex_handle v) { return f->has_vertex(v); });
+  }
+
+  // Unless what was done before has divided the face already.
+  void divide(Face_handle f, const std::array<Vertex_handle, 3>& corners) {
+    if (!has_corners(f, corners))
+      return;
+    const Uv center = triangle(f).circumcenter();
+    if (std::isfinite(center.x) && std::isfinite(center.y)) {
+      const Face_handle at = walk(f, Point_2(FT(center.x), FT(center.y)));
+      if (at != Face_handle() && !is_flat_over_side(at, center))
+        insert(at, center);
+    }
+    if (has_corners(f, corners) && !is_flat_over_side(f, centroid(f)))
+      insert(f, centroid(f));
+  }
+
+  // Whether a point in a face makes a flat triangle with a side of the domain.
+  bool is_flat_over_side(Face_handle f, const Uv& p) const {
+    for (int i = 0; i < 3; ++i)
+      if (f->is_constrained(i) &&
+          relative_height(f->vertex(Triangulation::ccw(i)), f->vertex(Triangulation::cw(i)), p) <
+              least_height_)
+        return true;
+    return false;
+  }
+
+  // Of a point over the edge from v to w, in units of its length.
+  double relative_height(Vertex_handle v, Vertex_handle w, const Uv& p) const {
+    const Uv a = position(v), b = position(w);
+    const Metric_2 m = 0.5 * (metric(v) + metric(w));
+    return m.area_factor() * cross(b - a, p - a) / m.squared_norm(b - a);
   }
 
   Uv centroid(Face_handle f) const {
@@ -249,7 +305,7 @@ private:
 
   bool is_close_to_vertex(Vertex_handle v, const Proposal& proposal) const {
     const double least = margin * proposal.spacing;
-    return metric(v).squared_norm(proposal.point - position(v)) < least * least;
+    return proposal.metric.squared_norm(proposal.point - position(v)) < least * least;
   }
 
   bool is_close_to_side(Vertex_handle v, Vertex_handle w, const Uv& p) const {
@@ -270,13 +326,11 @@ private:
     if (!is_strictly_inside(f, p))
       return false;
     const Point_2 point(FT(p.x), FT(p.y));
-    const auto index = [&](int i) { return f->vertex(i)->info(); };
-    const std::size_t hint = hints_[index(0)];
-    const double scale = (scales_[index(0)] + scales_[index(1)] + scales_[index(2)]) / 3;
+    const std::size_t hint = hints_[f->vertex(0)->info()];
     const Vertex_handle v = cdt_.Triangulation::Ctr::insert(point, Triangulation::FACE, f, 0);
     v->info() = points_.size();
     points_.push_back(point);
-    add_metric(p, hint, scale);
+    add_metric(p, hint);
     auto face = cdt_.incident_faces(v), done = face;
     do
       if (face != f) // f has become one of the three; the others are new
@@ -406,10 +460,9 @@ private:
   const Field& field_;
   std::size_t number_of_boundary_points_ = points_.size();
   double least_height_ = 0;
-  // By vertex: the metric, where the field was last asked, and by how much edges are shortened.
+  // By vertex: the metric, and where the field was last asked.
   std::vector<Metric_2> metrics_;
   std::vector<std::size_t> hints_;
-  std::vector<double> scales_;
   std::deque<Face_handle> front_, rest_; // bad triangles; those with edges of the right size first
 };
 

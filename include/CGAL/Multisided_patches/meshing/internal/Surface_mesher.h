@@ -26,7 +26,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <map>
+#include <numeric>
 #include <set>
 #include <string>
 #include <utility>
@@ -79,8 +79,7 @@ public:
     Surface_metric metric = coarse_metric_;
     std::vector<std::size_t> hints = coarse_hints_;
     Refinement_outlook outlook;
-    metric.set_edge_lengths(
-        edge_lengths_for_excess(metric, measure(meter, coarse_, coarse_.triangles), longest));
+    metric.set_edge_lengths(edge_lengths_for_excess(metric, measure(meter, coarse_), longest));
     for (int round = 1;; ++round) {
       check_count(metric, sides, "these deviations");
       Mesher mesher(domain(), sides, metric, hints);
@@ -88,10 +87,10 @@ public:
       refine(mesher, expected_points(metric, sides));
       Sampled_mesh sampled;
       sample(mesher, sampled);
-      const std::vector<double> excess = measure(meter, sampled, sampled.triangles);
+      const std::vector<double> excess = measure(meter, sampled);
       outlook.update(sampled.triangles.size(), excess);
       if (outlook.is_hopeless())
-        throw_unreachable(meter, sampled, sampled.triangles, excess);
+        throw_unreachable(meter, sampled);
       Surface_metric next(sampled);
       next.set_edge_lengths(edge_lengths_for_excess(next, excess, longest));
       if (round == max_rounds ||
@@ -120,6 +119,7 @@ private:
   static constexpr double mean_triangle_area = 0.945;
 
   // Of triangles on sides, if there is a bound on deviations; relative to the segment of the side.
+  // The flatter they are, the more the height of the boundary curve over the segment tilts them.
   static constexpr double least_height_on_sides = 0.15;
 
   static bool exceeds(double excess) { return excess > 1; }
@@ -209,94 +209,96 @@ private:
     sampled.triangles = mesher.triangles();
   }
 
-  // The excess of each of some triangles.
+  // The excess of each of some triangles, given by their numbers.
   std::vector<double> measure(const Meter& meter, const Sampled_mesh& mesh,
-                              const std::vector<Linked_triangle>& triangles) {
+                              const std::vector<std::size_t>& triangles) {
     std::vector<double> excess(triangles.size());
     in_blocks(triangles.size(), [&](std::size_t k) {
-      const double e = meter.excess(meter(mesh, triangles[k]));
+      const double e = meter.excess(meter(mesh, mesh.triangles[triangles[k]]));
       excess[k] = std::isnan(e) ? infinity : e;
     });
     return excess;
+  }
+  std::vector<double> measure(const Meter& meter, const Sampled_mesh& mesh) {
+    std::vector<std::size_t> all(mesh.triangles.size());
+    std::iota(all.begin(), all.end(), std::size_t(0));
+    return measure(meter, mesh, all);
   }
 
   // Adds points where triangles exceed the bounds, until none does.
   void refine_where_exceeded(Mesher& mesher, const Meter& meter, Sampled_mesh& sampled,
                              const std::vector<double>& all_excess, Refinement_outlook& outlook) {
     constexpr int max_rounds = 40;
-    std::vector<Linked_triangle> failing;
-    std::vector<double> excess;
-    const auto keep_failing = [&](const std::vector<Linked_triangle>& triangles,
-                                  const std::vector<double>& measured) {
-      failing.clear();
-      excess.clear();
-      for (std::size_t t = 0; t < triangles.size(); ++t)
-        if (exceeds(measured[t])) {
-          failing.push_back(triangles[t]);
-          excess.push_back(measured[t]);
-        }
-    };
-    keep_failing(sampled.triangles, all_excess);
+    std::vector<std::size_t> failing;
+    for (std::size_t t = 0; t < all_excess.size(); ++t)
+      if (exceeds(all_excess[t]))
+        failing.push_back(t);
+    double height = least_height_on_sides;
     for (int round = 0; !failing.empty(); ++round) {
       if (round == max_rounds || outlook.is_hopeless())
-        throw_unreachable(meter, sampled, failing, excess);
-      shorten_edges(mesher, failing, excess);
+        throw_unreachable(meter, sampled);
       const std::size_t old = sampled.uv.size();
-      refine(mesher, old);
+      const std::set<Corners> corners = corners_of(sampled, failing);
+      mesher.divide(failing);
+      if (mesher.mesh().points.size() == old) {
+        // All that is left are triangles on sides. Flatter ones are closer to the surface.
+        constexpr double least_height = 0.02;
+        height /= 2;
+        if (height < least_height)
+          throw_unreachable(meter, sampled);
+        mesher.keep_off_sides(height);
+        continue;
+      }
       sample(mesher, sampled);
-      const std::vector<Linked_triangle> suspects = changed_triangles(sampled, old, failing);
-      keep_failing(suspects, measure(meter, sampled, suspects));
+      const std::vector<std::size_t> suspects = changed_triangles(sampled, old, corners);
+      const std::vector<double> excess = measure(meter, sampled, suspects);
+      failing.clear();
+      for (std::size_t k = 0; k < suspects.size(); ++k)
+        if (exceeds(excess[k]))
+          failing.push_back(suspects[k]);
       outlook.update(sampled.triangles.size(), excess);
     }
   }
 
-  // Lets edges at the corners of failing triangles be as much shorter as they ought to be.
-  static void shorten_edges(Mesher& mesher, const std::vector<Linked_triangle>& failing,
-                            const std::vector<double>& excess) {
-    constexpr double least = 0.5, most = 0.85;
-    std::map<std::size_t, double> factors;
-    for (std::size_t t = 0; t < failing.size(); ++t)
-      for (const std::size_t v : failing[t].vertices) {
-        double& factor = factors.emplace(v, 1).first->second;
-        factor = (std::min)(factor, std::clamp(1 / excess[t], least, most));
-      }
-    for (const auto& [vertex, factor] : factors)
-      mesher.shorten_edges(vertex, factor);
+  using Corners = std::array<std::size_t, 3>; // in increasing order
+
+  static Corners corners_of(const Linked_triangle& t) {
+    Corners v = t.vertices;
+    std::sort(v.begin(), v.end());
+    return v;
+  }
+  static std::set<Corners> corners_of(const Sampled_mesh& mesh,
+                                      const std::vector<std::size_t>& triangles) {
+    std::set<Corners> corners;
+    for (const std::size_t t : triangles)
+      corners.insert(corners_of(mesh.triangles[t]));
+    return corners;
   }
 
   // Those that are new, because every new triangle has a new vertex, and those that were failing.
-  static std::vector<Linked_triangle>
-  changed_triangles(const Sampled_mesh& sampled, std::size_t old_vertices,
-                    const std::vector<Linked_triangle>& failing) {
-    const auto key = [](const Linked_triangle& t) {
-      std::array<std::size_t, 3> v = t.vertices;
-      std::sort(v.begin(), v.end());
-      return v;
-    };
-    std::set<std::array<std::size_t, 3>> keys;
-    for (const Linked_triangle& t : failing)
-      keys.insert(key(t));
-    std::vector<Linked_triangle> result;
-    for (const Linked_triangle& t : sampled.triangles) {
-      const std::size_t newest = *std::max_element(t.vertices.begin(), t.vertices.end());
-      if (newest >= old_vertices || (!keys.empty() && keys.count(key(t)) > 0))
+  static std::vector<std::size_t> changed_triangles(const Sampled_mesh& mesh,
+                                                    std::size_t old_vertices,
+                                                    const std::set<Corners>& failing) {
+    std::vector<std::size_t> result;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      const Corners corners = corners_of(mesh.triangles[t]);
+      if (corners.back() >= old_vertices || failing.count(corners) > 0)
         result.push_back(t);
     }
     return result;
   }
 
-  [[noreturn]] void throw_unreachable(const Meter& meter, const Sampled_mesh& mesh,
-                                      const std::vector<Linked_triangle>& triangles,
-                                      const std::vector<double>& excess) const {
+  [[noreturn]] void throw_unreachable(const Meter& meter, const Sampled_mesh& mesh) {
+    const std::vector<double> excess = measure(meter, mesh);
     const auto worst =
         static_cast<std::size_t>(std::max_element(excess.begin(), excess.end()) - excess.begin());
-    const auto& v = triangles[worst].vertices;
-    const auto deviation = meter(mesh, triangles[worst]);
+    const Linked_triangle& t = mesh.triangles[worst];
+    const auto deviation = meter(mesh, t);
     throw Accuracy_error("however fine the triangles are, the mesh deviates from the surface by " +
                              to_short_text(deviation.chordal * surface_.unit()) + " and " +
                              to_short_text(deviation.normal * 180 / pi) + " degrees at (u,v) = (" +
-                             to_short_text(mesh.uv[v[0]].x) + ", " +
-                             to_short_text(mesh.uv[v[0]].y) + ")",
+                             to_short_text(mesh.uv[t.vertices[0]].x) + ", " +
+                             to_short_text(mesh.uv[t.vertices[0]].y) + ")",
                          excess[worst]);
   }
 
