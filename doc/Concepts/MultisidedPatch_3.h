@@ -26,11 +26,10 @@ public:
    *
    * `location` says where `uv` lies in the domain. If it is on the boundary, the point must depend
    * on nothing but `location`, because `uv` is rounded. Patches that share a boundary curve must
-   * agree on its points, bit for bit, if they are to be meshed alike: at parameter s of the one, and
-   * at s, or 1 - s, of the other, where 1 - s is exact.
+   * agree on its points, bit for bit, if they are to be meshed alike: at parameter s of the one,
+   * and at s, or 1 - s, of the other, where 1 - s is exact.
    */
-  Point_3 point(const Point_2& uv,
-                const Polygonal_domain_2<Geom_traits>::Location& location) const;
+  Point_3 point(const Point_2& uv, const Polygonal_domain_2<Geom_traits>::Location& location) const;
 
   /*!
    * the same point, and the unit normal there, or the zero vector where there is none; the normal
