@@ -4,21 +4,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "check_report.h"
+#include "make_patches.h"
 #include "report_output.h"
 #include "stage_clock.h"
 
 #include <CGAL/Multisided_patches/analysis/continuity_report.h>
-#include <CGAL/Multisided_patches/bases/contact_order.h>
-#include <CGAL/Multisided_patches/coordinates/Harmonic_coordinates_2.h>
-#include <CGAL/Multisided_patches/coordinates/Mean_value_coordinates_2.h>
-#include <CGAL/Multisided_patches/coordinates/Wachspress_coordinates_2.h>
 #include <CGAL/Multisided_patches/internal/to_text.h>
-#include <CGAL/Multisided_patches/patches/Concave_bezier_patch_3.h>
+#include <CGAL/Multisided_patches/meshing/is_valid_domain_mesh.h>
+#include <CGAL/Multisided_patches/meshing/mesh_domain.h>
+#include <CGAL/Multisided_patches/meshing/tessellate_complex.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstdio>
 
 namespace multipatch {
 
@@ -71,45 +68,51 @@ template <typename Patch>
 void check_seams(const std::vector<Patch>& patches, const std::vector<Side_outline>& sides,
                  const Check_options& options, Check_report& report) {
   for (std::size_t a = 0; a < sides.size(); ++a)
-    for (std::size_t b = a + 1; b < sides.size(); ++b)
-      if (are_alike(sides[a], sides[b])) {
-        const Patch &first = patches[sides[a].patch], &second = patches[sides[b].patch];
-        report.seams.push_back(
-            {sides[a].patch, sides[b].patch,
-             (std::max)(first.loop().diagonal(), second.loop().diagonal()),
-             MP::continuity_report(first, sides[a].side, second, sides[b].side, options.samples)});
-      }
+    for (std::size_t b = a + 1; b < sides.size(); ++b) {
+      const Side_outline &x = sides[a], &y = sides[b];
+      const bool joined = report.sides.are_joined(x.patch, x.side, y.patch, y.side);
+      if (!joined && !are_alike(x, y))
+        continue;
+      const Patch &first = patches[x.patch], &second = patches[y.patch];
+      report.seams.push_back(
+          {x.patch, y.patch, (std::max)(first.loop().diagonal(), second.loop().diagonal()), joined,
+           MP::continuity_report(first, x.side, second, y.side, options.samples)});
+    }
+}
+
+std::size_t mesh_triangles(const Check_options& options) {
+  constexpr std::size_t default_triangles = 2000; // a patch
+  return options.mesh_triangles.value_or(
+      (std::min)(default_triangles * options.inputs.size(), MP::Mesh_density::max_triangles));
+}
+
+template <typename Patch>
+void check_mesh(const MP::Patch_complex<Patch>& complex, const Check_options& options,
+                Check_report& report) {
+  const std::size_t triangles = mesh_triangles(options);
+  Mesh mesh;
+  MP::tessellate(complex, mesh, MP::Mesh_density::triangles(triangles));
+  report.mesh.statistics = measure(mesh);
+  report.mesh.self_intersections = self_intersections(mesh);
+  report.mesh.is_as_joined = is_as_joined(report.mesh.statistics, report.sides);
+  const std::size_t share = (std::max)(std::size_t{1}, triangles / complex.patches().size());
+  for (const Patch& patch : complex.patches())
+    report.mesh.domain_defects.push_back(MP::domain_mesh_defect(
+        patch.domain(), MP::mesh_domain(patch, MP::Mesh_density::triangles(share))));
 }
 
 template <typename Coordinates>
 void run(const Check_options& options, const std::vector<Model>& models, Stage_clock& clock,
          Check_report& report) {
-  using Patch = MP::Concave_bezier_patch_3<Kernel, Coordinates>;
-  std::vector<Patch> patches;
-  clock.run("domain and coordinates", [&] {
-    for (std::size_t k = 0; k < models.size(); ++k)
-      try {
-        patches.emplace_back(models[k]);
-      } catch (const MP::Error& error) {
-        throw MP::Error(options.inputs[k] + ": " + error.what());
-      }
-  });
+  auto patches = clock.run("domain and coordinates",
+                           [&] { return make_patches<Coordinates>(models, options.inputs); });
+  const MP::Patch_complex<Patch<Coordinates>> complex(std::move(patches), options.inputs);
+  report.sides = joined_sides(complex);
   clock.run("checks", [&] {
-    check_patches(patches, options, report);
-    check_seams(patches, outlines(models), options, report);
+    check_patches(complex.patches(), options, report);
+    check_seams(complex.patches(), outlines(models), options, report);
   });
-}
-
-void run(const Check_options& options, const std::vector<Model>& models, Stage_clock& clock,
-         Check_report& report) {
-  switch (options.patch.coordinates) {
-  case Coordinates_choice::harmonic:
-    return run<MP::Harmonic_coordinates_2<Kernel>>(options, models, clock, report);
-  case Coordinates_choice::mean_value:
-    return run<MP::Mean_value_coordinates_2<Kernel>>(options, models, clock, report);
-  case Coordinates_choice::wachspress:
-    return run<MP::Wachspress_coordinates_2<Kernel>>(options, models, clock, report);
-  }
+  clock.run("meshing", [&] { check_mesh(complex, options, report); });
 }
 
 void check_tolerance(double tolerance, const char* option) {
@@ -119,22 +122,17 @@ void check_tolerance(double tolerance, const char* option) {
 }
 
 std::vector<Model> read_models(const Check_options& options, Check_report& report) {
-  std::vector<Model> models;
-  for (const std::string& input : options.inputs) {
-    Patch_options patch = options.patch;
-    patch.input = input;
-    models.push_back(read_model(patch));
-    const Model& model = models.back();
-    if (!options.quiet)
-      warn_of_mismatches(model);
-    report.patches.push_back({input, 0, {}, {}});
-    for (std::size_t i = 0; i < model.loop.size(); ++i) {
-      const std::string text = MP::contact_shortfall(model.loop, i, model.central_weight);
-      if (!text.empty())
-        report.patches.back().shortfalls.push_back(text);
-    }
-  }
+  const std::vector<Model> models = read_models(options.patch, options.inputs, options.quiet);
+  for (std::size_t k = 0; k < models.size(); ++k)
+    report.patches.push_back({options.inputs[k], 0, {}, contact_shortfalls(models[k])});
   return models;
+}
+
+std::string joined(const std::vector<std::string>& phrases) {
+  std::string text;
+  for (const std::string& phrase : phrases)
+    text += (text.empty() ? "" : "; ") + phrase;
+  return text;
 }
 
 } // namespace
@@ -145,17 +143,19 @@ void check_command(const Check_options& options) {
   check_tolerance(options.plane_tolerance, "--plane-tolerance");
   check_tolerance(options.curvature_tolerance, "--curvature-tolerance");
   const Report_output output(options.json, options.quiet, options.inputs);
-  Stage_clock clock(options.quiet);
   Check_report report;
-  const std::vector<Model> models =
-      clock.run("reading", [&] { return read_models(options, report); });
-  run(options, models, clock, report);
+  {
+    Stage_clock clock(options.quiet);
+    const std::vector<Model> models =
+        clock.run("reading", [&] { return read_models(options, report); });
+    with_coordinates(options.patch.coordinates, [&](auto type) {
+      run<typename decltype(type)::type>(options, models, clock, report);
+    });
+  }
   output.write([&] { return check_json(options, report); }, [&] { print_table(options, report); });
-  const Check_count count = count_failures(options, report);
-  if (count.failed > 0)
-    throw MP::Error("the tolerances do not hold along " + std::to_string(count.failed) + " of " +
-                    std::to_string(count.all) + " sides" +
-                    (report.seams.empty() ? "" : ", common ones counted once more"));
+  const std::vector<std::string> wrong = failures(options, report);
+  if (!wrong.empty())
+    throw MP::Error(joined(wrong));
 }
 
 } // namespace multipatch

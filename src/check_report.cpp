@@ -5,7 +5,7 @@
 
 #include "check_report.h"
 
-#include <nlohmann/json.hpp>
+#include "report_json.h"
 
 #include <cstdio>
 #include <optional>
@@ -13,7 +13,6 @@
 namespace multipatch {
 
 namespace MP = CGAL::Multisided_patches;
-using Json = nlohmann::ordered_json;
 
 namespace {
 
@@ -22,7 +21,7 @@ bool exceeds(const std::optional<MP::Deviation>& deviation, double tolerance) {
   return deviation && !(deviation->max <= tolerance);
 }
 
-std::vector<std::string> failures(const Check_options& options, const MP::Continuity& continuity,
+std::vector<std::string> exceeded(const Check_options& options, const MP::Continuity& continuity,
                                   double diagonal) {
   std::vector<std::string> names;
   if (exceeds(continuity.position, options.position_tolerance * diagonal))
@@ -46,7 +45,7 @@ void print_row(const Check_options& options, const MP::Continuity& continuity, d
   print_deviation(continuity.tangent_plane);
   print_deviation(continuity.normal_curvature);
   const char* separator = "  exceeded: ";
-  for (const std::string& name : failures(options, continuity, diagonal)) {
+  for (const std::string& name : exceeded(options, continuity, diagonal)) {
     std::printf("%s%s", separator, name.c_str());
     separator = ", ";
   }
@@ -82,6 +81,54 @@ void print_seam(const Check_options& options, const Check_report& report, std::s
   print_header("");
   std::printf("%4s", "");
   print_row(options, seam.continuity, seam.diagonal);
+  if (!seam.is_joined)
+    std::printf("  The curves are not the same: a mesh has a gap here.\n");
+}
+
+// "1 hole", "2 holes"
+std::string counted(std::size_t count, const std::string& noun) {
+  return std::to_string(count) + ' ' + noun + (count == 1 ? "" : "s");
+}
+
+std::vector<std::string> mesh_failures(const Check_report& report) {
+  const Checked_mesh& mesh = report.mesh;
+  std::vector<std::string> texts;
+  const auto add = [&](std::size_t count, const char* what) {
+    if (count > 0)
+      texts.push_back("the mesh has " + counted(count, what));
+  };
+  add(mesh.self_intersections, "self-intersection");
+  add(mesh.statistics.degenerate_triangles, "degenerate triangle");
+  add(mesh.statistics.folded_edges, "folded edge");
+  if (!mesh.is_as_joined)
+    texts.emplace_back("the mesh came out torn; this is a defect of the program, please report it");
+  for (std::size_t k = 0; k < mesh.domain_defects.size(); ++k)
+    if (!mesh.domain_defects[k].empty())
+      texts.push_back(report.patches[k].input +
+                      ": the mesh of the domain is not valid: " + mesh.domain_defects[k]);
+  return texts;
+}
+
+void print_mesh(const Check_report& report) {
+  const Mesh_statistics& mesh = report.mesh.statistics;
+  std::printf("Mesh: %s, %s; angles %.3g to %.4g degrees, edges %.3g to %.3g; %s, %s, %s\n",
+              counted(mesh.triangles, "triangle").c_str(),
+              mesh.is_closed() ? "closed" : counted(mesh.boundary_loops, "boundary loop").c_str(),
+              mesh.smallest_angle, mesh.largest_angle, mesh.shortest_edge, mesh.longest_edge,
+              counted(report.mesh.self_intersections, "self-intersection").c_str(),
+              counted(mesh.degenerate_triangles, "degenerate triangle").c_str(),
+              counted(mesh.folded_edges, "folded edge").c_str());
+  for (const std::string& text : mesh_failures(report))
+    std::printf("  %s\n", text.c_str());
+}
+
+void print_sides(const Check_report& report) {
+  if (report.patches.size() > 1)
+    std::printf("Sides: %s shared exactly, %s free\n",
+                counted(report.sides.shared.size(), "pair").c_str(),
+                counted(report.sides.free.size(), "side").c_str());
+  for (const std::string& remark : report.sides.remarks)
+    std::printf("  %s\n", remark.c_str());
 }
 
 Json deviation_json(const std::optional<MP::Deviation>& deviation) {
@@ -95,7 +142,7 @@ void add_continuity(Json& json, const Check_options& options, const MP::Continui
   json["position"] = deviation_json(continuity.position);
   json["tangent_plane_degrees"] = deviation_json(continuity.tangent_plane);
   json["normal_curvature_relative"] = deviation_json(continuity.normal_curvature);
-  json["exceeded"] = failures(options, continuity, diagonal);
+  json["exceeded"] = exceeded(options, continuity, diagonal);
 }
 
 Json patch_json(const Check_options& options, const Checked_patch& patch) {
@@ -112,12 +159,17 @@ Json patch_json(const Check_options& options, const Checked_patch& patch) {
 }
 
 Json seam_json(const Check_options& options, const Check_report& report, const Checked_seam& seam) {
-  Json json{{"input_a", report.patches[seam.patch_a].input},
-            {"side_a", seam.continuity.side_a},
-            {"input_b", report.patches[seam.patch_b].input},
-            {"side_b", seam.continuity.side_b},
-            {"reversed", seam.continuity.reversed}};
+  Json json{{"input_a", report.patches[seam.patch_a].input}, {"side_a", seam.continuity.side_a},
+            {"input_b", report.patches[seam.patch_b].input}, {"side_b", seam.continuity.side_b},
+            {"reversed", seam.continuity.reversed},          {"exact", seam.is_joined}};
   add_continuity(json, options, seam.continuity, seam.diagonal);
+  return json;
+}
+
+Json mesh_json(const Checked_mesh& mesh) {
+  Json json = statistics_json(mesh.statistics);
+  json["self_intersections"] = mesh.self_intersections;
+  json["is_as_joined"] = mesh.is_as_joined;
   return json;
 }
 
@@ -127,7 +179,7 @@ Check_count count_failures(const Check_options& options, const Check_report& rep
   Check_count count;
   const auto add = [&](const MP::Continuity& continuity, double diagonal) {
     ++count.all;
-    count.failed += !failures(options, continuity, diagonal).empty();
+    count.failed += !exceeded(options, continuity, diagonal).empty();
   };
   for (const Checked_patch& patch : report.patches)
     for (const MP::Side_continuity& side : patch.continuity.sides)
@@ -137,30 +189,52 @@ Check_count count_failures(const Check_options& options, const Check_report& rep
   return count;
 }
 
+std::vector<std::string> failures(const Check_options& options, const Check_report& report) {
+  std::vector<std::string> texts;
+  const Check_count count = count_failures(options, report);
+  if (count.failed > 0)
+    texts.push_back("the tolerances do not hold along " + std::to_string(count.failed) + " of " +
+                    std::to_string(count.all) + " sides" +
+                    (report.seams.empty() ? "" : ", common ones counted once more"));
+  for (const std::string& text : mesh_failures(report))
+    texts.push_back(text);
+  return texts;
+}
+
 void print_table(const Check_options& options, const Check_report& report) {
   for (const Checked_patch& patch : report.patches)
     print_patch(options, patch);
   for (std::size_t k = 0; k < report.seams.size(); ++k)
     print_seam(options, report, k);
+  print_sides(report);
+  print_mesh(report);
   std::printf("Tolerances: position %g of the diagonal, tangent plane %g degrees, curvature %g\n",
               options.position_tolerance, options.plane_tolerance, options.curvature_tolerance);
 }
 
 std::string check_json(const Check_options& options, const Check_report& report) {
   Json patches = Json::array(), seams = Json::array();
-  for (const Checked_patch& patch : report.patches)
-    patches.push_back(patch_json(options, patch));
+  std::vector<std::string> inputs;
+  for (std::size_t k = 0; k < report.patches.size(); ++k) {
+    inputs.push_back(report.patches[k].input);
+    patches.push_back(patch_json(options, report.patches[k]));
+    patches.back()["domain_mesh_defect"] = report.mesh.domain_defects[k];
+  }
   for (const Checked_seam& seam : report.seams)
     seams.push_back(seam_json(options, report, seam));
-  const Json json{{"passed", count_failures(options, report).failed == 0},
+  const Json json{{"passed", failures(options, report).empty()},
+                  {"failures", failures(options, report)},
                   {"even_samples_per_side", options.samples},
                   {"tolerances",
                    {{"position_relative_to_diagonal", options.position_tolerance},
                     {"tangent_plane_degrees", options.plane_tolerance},
                     {"normal_curvature_relative", options.curvature_tolerance}}},
                   {"patches", patches},
-                  {"shared_sides", seams}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+                  {"shared_sides", seams},
+                  {"free_sides", free_sides_json(report.sides, inputs)},
+                  {"remarks", report.sides.remarks},
+                  {"mesh", mesh_json(report.mesh)}};
+  return to_text(json);
 }
 
 } // namespace multipatch

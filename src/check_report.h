@@ -7,6 +7,8 @@
 #define MULTIPATCH_CHECK_REPORT_H
 
 #include "commands.h"
+#include "joined_sides.h"
+#include "mesh_statistics.h"
 
 #include <CGAL/Multisided_patches/analysis/Side_continuity.h>
 
@@ -28,12 +30,24 @@ struct Checked_patch {
 struct Checked_seam {
   std::size_t patch_a, patch_b; // indices
   double diagonal;              // the larger one
+  bool is_joined;               // whether the curves are the same
   CGAL::Multisided_patches::Seam_continuity continuity;
+};
+
+// The mesh of all patches.
+struct Checked_mesh {
+  Mesh_statistics statistics;
+  std::size_t self_intersections = 0;
+  bool is_as_joined = false;
+  std::vector<std::string>
+      domain_defects; // of the mesh of each patch's domain, empty if it is fine
 };
 
 struct Check_report {
   std::vector<Checked_patch> patches;
   std::vector<Checked_seam> seams;
+  Joined_sides sides;
+  Checked_mesh mesh;
 };
 
 // The number of sides and seams that exceed a tolerance, and of all of them.
@@ -41,6 +55,9 @@ struct Check_count {
   std::size_t failed = 0, all = 0;
 };
 Check_count count_failures(const Check_options& options, const Check_report& report);
+
+// What is wrong, a phrase each.
+std::vector<std::string> failures(const Check_options& options, const Check_report& report);
 
 // Prints a table of all sides and seams.
 void print_table(const Check_options& options, const Check_report& report);

@@ -11,6 +11,7 @@
 #include <CGAL/Multisided_patches/patches/Concave_bezier_model_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh/Surface_mesh.h>
 
 #include <cstddef>
 #include <optional>
@@ -22,6 +23,7 @@ namespace multipatch {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Model = CGAL::Multisided_patches::Concave_bezier_model_3<Kernel>;
 using Domain = CGAL::Multisided_patches::Polygonal_domain_2<Kernel>;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Domain_mesh = CGAL::Multisided_patches::Domain_mesh_2<Kernel>;
 
 enum class Coordinates_choice { harmonic, mean_value, wachspress };
@@ -39,9 +41,11 @@ struct Patch_options {
 };
 
 struct Mesh_options {
-  Patch_options patch;
+  Patch_options patch; // without its input
+  std::vector<std::string> inputs;
   std::string output;
-  std::optional<double> edge_length;
+  std::optional<double> edge_length, chordal_deviation; // model units
+  std::optional<double> normal_deviation;               // degrees
   std::optional<std::size_t> triangles;
   std::string report;
   bool quiet = false;
@@ -72,6 +76,7 @@ struct Check_options {
   double position_tolerance = 1e-6; // relative to the diagonal of the bounding box
   double plane_tolerance = 1e-3;    // degrees
   double curvature_tolerance = 1e-3;
+  std::optional<std::size_t> mesh_triangles;
   std::string json; // "-" is standard output
   bool quiet = false;
 };
@@ -86,27 +91,32 @@ struct Exact_options {
 // Reads the input file and lets the options override what it says.
 Model read_model(const Patch_options& options);
 
+// The same for several files; warns of mismatches, if not asked to be quiet.
+std::vector<Model> read_models(Patch_options options, const std::vector<std::string>& inputs,
+                               bool quiet);
+
 double degrees(double radians);
 
-// Says on standard error where no surface can meet both ribbons of a corner.
-void warn_of_mismatches(const Model& model);
+// Sentences on where the patch does not have the derivatives that the layers of a ribbon promise.
+std::vector<std::string> contact_shortfalls(const Model& model);
 
-// Prints where the patch does not have the derivatives that the layers of a ribbon promise, a line
-// for each side, and what would help.
-void print_contact_shortfalls(const Model& model);
+// Prints them, a line each that starts with the prefix, and what would help.
+void print_contact_shortfalls(const std::vector<Model>& models,
+                              const std::vector<std::string>& prefixes);
 
 // Throws if an index that was given with an option is not one of n sides.
 void check_index(std::size_t index, std::size_t n, const std::string& option);
 
-// Prints the remarks of a report, a line each.
-void print_remarks(const CGAL::Multisided_patches::Domain_report& report);
+// Prints the remarks of a report, a line each that starts with the prefix.
+void print_remarks(const CGAL::Multisided_patches::Domain_report& report,
+                   const std::string& prefix = "  ");
 
 // The six commands. They throw CGAL::Multisided_patches::Error on bad input.
 void mesh_command(const Mesh_options& options);
 void info_command(const std::string& input);
 void domain_command(const Domain_picture_options& options);
 void coordinates_command(const Coordinates_options& options);
-// Throws an error, too, if a tolerance is exceeded.
+// Throws an error, too, if a tolerance is exceeded or a mesh has defects.
 void check_command(const Check_options& options);
 void exact_command(const Exact_options& options);
 

@@ -44,7 +44,7 @@ void print_ribbons(const Model& model) {
       "the\nangle between the tangent planes of the two ribbons at the corner. Contact is "
       "what the patch\nhas in common with the ribbon along the side: G0 the curve, G1 tangent "
       "planes, G2 curvatures.\n");
-  print_contact_shortfalls(model);
+  print_contact_shortfalls({model}, {"  "});
 }
 
 void print_domain(const MP::Domain_report& report) {

@@ -79,31 +79,52 @@ void add_input(CLI::App& command, Patch_options& options) {
   command.add_option("INPUT", options.input, "the patch, a .cgb file")->required();
 }
 
+void add_density_options(CLI::App& command, Mesh_options& options) {
+  auto* triangles =
+      command
+          .add_option("--triangles", options.triangles,
+                      "target number of triangles, of all patches together (default: 10000)")
+          ->check(CLI::Range(std::size_t{1}, MP::Mesh_density::max_triangles).description(""))
+          ->type_name("N");
+  command
+      .add_option("--edge-length", options.edge_length,
+                  "target length of the edges, in the units of the model")
+      ->type_name("X")
+      ->excludes(triangles);
+  command
+      .add_option("--chordal-deviation", options.chordal_deviation,
+                  "largest distance of the surface from its triangles, in the units of the\n"
+                  "model")
+      ->type_name("X")
+      ->excludes(triangles);
+  command
+      .add_option("--normal-deviation", options.normal_deviation,
+                  "largest angle between the normals of the surface and those of its\n"
+                  "triangles, in degrees, at most 90; like the two before, it can be\n"
+                  "combined with the others")
+      ->type_name("X")
+      ->excludes(triangles);
+}
+
 void add_mesh_command(CLI::App& app, Mesh_options& options) {
-  CLI::App& command = *app.add_subcommand("mesh", "make a triangle mesh of a patch");
-  add_input(command, options.patch);
+  CLI::App& command =
+      *app.add_subcommand("mesh", "make a triangle mesh of a patch, or one of several patches,\n"
+                                  "without gaps along the sides that they share");
+  command.add_option("INPUT", options.inputs, "the patches, .cgb files")->required();
   add_patch_options(command, options.patch);
   command
       .add_option("-o,--output", options.output,
                   "the mesh to write; the name ends in .ply, .obj, .off or .stl")
       ->required()
       ->type_name("FILE");
-  auto* length = command
-                     .add_option("--edge-length", options.edge_length,
-                                 "target length of the edges, in the units of the model")
-                     ->type_name("X");
-  command
-      .add_option("--triangles", options.triangles, "target number of triangles (default: 10000)")
-      ->check(CLI::Range(std::size_t{1}, MP::Mesh_density::max_triangles).description(""))
-      ->type_name("N")
-      ->excludes(length);
+  add_density_options(command, options);
   command.add_flag("--elevate", options.patch.elevate,
                    "raise the degrees of ribbons, whose shape stays the same, where that lets\n"
                    "the surface meet their neighbours as smoothly as these have layers for");
   command
       .add_option("--report", options.report,
-                  "write counts, the domain and how it came about, timings and the\n"
-                  "deviation of the boundary to a JSON file")
+                  "write counts, the quality of the mesh, which sides are shared, the\n"
+                  "domains and how they came about, and timings to a JSON file")
       ->type_name("FILE");
   command.add_flag("-q,--quiet", options.quiet, "print nothing but errors");
   command.callback([&options] { mesh_command(options); });
@@ -199,7 +220,8 @@ void add_check_command(CLI::App& app, Check_options& options) {
   constexpr std::size_t max_samples = 100'000;
   CLI::App& command = *app.add_subcommand(
       "check", "measure how smoothly patches meet their ribbons, and each other where they\nhave "
-               "sides in common; fails if tolerances are exceeded");
+               "sides in common, and mesh them; fails if tolerances are exceeded or the\nmesh "
+               "intersects itself or has degenerate or folded triangles");
   command.add_option("INPUT", options.inputs, "the patches, .cgb files")->required();
   add_patch_options(command, options.patch);
   command.add_flag("--elevate", options.patch.elevate, "raise degrees, as the command mesh does");
@@ -221,6 +243,12 @@ void add_check_command(CLI::App& app, Check_options& options) {
       .add_option("--curvature-tolerance", options.curvature_tolerance,
                   "of relative differences of curvatures (default: 1e-3)")
       ->type_name("X");
+  command
+      .add_option("--mesh-triangles", options.mesh_triangles,
+                  "target number of triangles of the mesh that is checked, of all patches\n"
+                  "together (default: 2000 a patch)")
+      ->check(CLI::Range(std::size_t{1}, MP::Mesh_density::max_triangles).description(""))
+      ->type_name("N");
   add_report_options(command, options.json, options.quiet);
   command.callback([&options] { check_command(options); });
 }

@@ -3,16 +3,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "commands.h"
-#include "mesh_report.h"
-#include "stage_clock.h"
+#include "mesh_job.h"
 
+#include <CGAL/Multisided_patches/IO/internal/file_access.h>
 #include <CGAL/Multisided_patches/IO/surface_mesh.h>
-#include <CGAL/Multisided_patches/coordinates/Harmonic_coordinates_2.h>
-#include <CGAL/Multisided_patches/coordinates/Mean_value_coordinates_2.h>
-#include <CGAL/Multisided_patches/coordinates/Wachspress_coordinates_2.h>
-#include <CGAL/Multisided_patches/meshing/tessellate.h>
-#include <CGAL/Multisided_patches/patches/Concave_bezier_patch_3.h>
 
 namespace multipatch {
 
@@ -20,80 +14,52 @@ namespace MP = CGAL::Multisided_patches;
 
 namespace {
 
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-
 MP::Mesh_density density(const Mesh_options& options) {
   constexpr std::size_t default_triangles = 10000;
+  std::optional<MP::Mesh_density> wanted;
+  const auto add = [&](const MP::Mesh_density& other) {
+    wanted = wanted ? *wanted & other : other;
+  };
   if (options.edge_length)
-    return MP::Mesh_density::edge_length(*options.edge_length);
-  return MP::Mesh_density::triangles(options.triangles.value_or(default_triangles));
+    add(MP::Mesh_density::edge_length(*options.edge_length));
+  if (options.chordal_deviation)
+    add(MP::Mesh_density::chordal_deviation(*options.chordal_deviation));
+  if (options.normal_deviation)
+    add(MP::Mesh_density::normal_deviation(*options.normal_deviation));
+  return wanted ? *wanted
+                : MP::Mesh_density::triangles(options.triangles.value_or(default_triangles));
 }
 
-std::optional<double> error_bound(const MP::Harmonic_coordinates_2<Kernel>& coordinates) {
-  return coordinates.error_bound();
-}
-template <typename Coordinates>
-std::optional<double> error_bound(const Coordinates&) {
-  return std::nullopt;
-}
-
-template <typename Coordinates>
-void run(const Mesh_options& options, const MP::Mesh_density& density, const Model& model,
-         Stage_clock& clock) {
-  using Patch = MP::Concave_bezier_patch_3<Kernel, Coordinates>;
-  const Patch patch = clock.run("domain and coordinates", [&] { return Patch(model); });
-  const auto domain_mesh = clock.run("meshing", [&] { return MP::mesh_domain(patch, density); });
-  Mesh mesh;
-  clock.run("evaluation", [&] { MP::tessellate(patch, domain_mesh, mesh); });
-
-  Mesh_report report;
-  clock.run("checks", [&] {
-    report.domain = patch.domain_report();
-    report.coordinates_error_bound = error_bound(patch.coordinates());
-    report.topology = MP::mesh_topology(mesh);
-    report.boundary = MP::boundary_deviation(model.loop, domain_mesh, mesh);
-    report.vertices = mesh.number_of_vertices();
-    report.boundary_vertices = domain_mesh.number_of_boundary_points;
-    report.triangles = mesh.number_of_faces();
-    measure_edges(mesh, report);
-  });
-  if (!report.topology.is_disk())
-    throw MP::Numerical_error(options.patch.input + ": the mesh came out torn; this is a defect of "
-                                                    "the program, please report it");
-  clock.run("writing", [&] { MP::IO::write_mesh(options.output, mesh); });
-  if (!options.report.empty())
-    write_report(options, model, report, clock);
-  if (!options.quiet)
-    print_report(options, model, report, clock);
+// Throws if a file of this name must not be written, or cannot be.
+void check_output(const std::string& output, const std::vector<std::string>& inputs) {
+  for (const std::string& input : inputs)
+    MP::internal::check_different(output, input);
+  MP::internal::check_writable(output);
 }
 
 } // namespace
 
+void require_sound(bool is_sound, const Mesh_options& options) {
+  if (!is_sound)
+    throw MP::Numerical_error(options.output + ": the mesh came out torn; this is a defect of the "
+                                               "program, please report it");
+}
+
 void mesh_command(const Mesh_options& options) {
   // What cannot succeed fails before the work, not after it.
-  const MP::Mesh_density wanted = density(options);
+  Mesh_job job{options, density(options), Stage_clock(options.quiet)};
   MP::IO::mesh_format(options.output);
-  Stage_clock clock(options.quiet);
-  const Model model = clock.run("reading", [&] { return read_model(options.patch); });
-  if (!options.quiet)
-    warn_of_mismatches(model);
-  MP::internal::check_different(options.output, options.patch.input);
-  if (!options.report.empty()) {
-    MP::internal::check_different(options.report, options.patch.input);
-    MP::internal::check_different(options.report, options.output);
-  }
-  MP::internal::check_writable(options.output);
+  job.models = job.clock.run(
+      "reading", [&] { return read_models(options.patch, options.inputs, options.quiet); });
   if (!options.report.empty())
-    MP::internal::check_writable(options.report);
-
-  switch (options.patch.coordinates) {
-  case Coordinates_choice::harmonic:
-    return run<MP::Harmonic_coordinates_2<Kernel>>(options, wanted, model, clock);
-  case Coordinates_choice::mean_value:
-    return run<MP::Mean_value_coordinates_2<Kernel>>(options, wanted, model, clock);
-  case Coordinates_choice::wachspress:
-    return run<MP::Wachspress_coordinates_2<Kernel>>(options, wanted, model, clock);
-  }
+    MP::internal::check_different(options.report, options.output);
+  check_output(options.output, options.inputs);
+  if (!options.report.empty())
+    check_output(options.report, options.inputs);
+  if (options.inputs.size() == 1)
+    mesh_patch(job);
+  else
+    mesh_complex(job);
 }
 
 } // namespace multipatch

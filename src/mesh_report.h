@@ -6,39 +6,35 @@
 #ifndef MULTIPATCH_MESH_REPORT_H
 #define MULTIPATCH_MESH_REPORT_H
 
-#include "commands.h"
-#include "stage_clock.h"
+#include "mesh_job.h"
+#include "mesh_statistics.h"
 
 #include <CGAL/Multisided_patches/analysis/boundary_deviation.h>
-#include <CGAL/Multisided_patches/analysis/mesh_topology.h>
 #include <CGAL/Multisided_patches/domains/make_domain.h>
 
-#include <CGAL/Surface_mesh/Surface_mesh.h>
-
 #include <optional>
-#include <string>
 
 namespace multipatch {
 
-// What is worth knowing about a finished mesh.
-struct Mesh_report {
+// How a patch came about.
+struct Patch_report {
   CGAL::Multisided_patches::Domain_report domain;
   std::optional<double> coordinates_error_bound;
-  CGAL::Multisided_patches::Mesh_topology topology;
-  CGAL::Multisided_patches::Boundary_deviation boundary;
-  std::size_t vertices = 0, boundary_vertices = 0, triangles = 0;
-  double shortest_edge = 0, mean_edge = 0, longest_edge = 0;
 };
 
-void measure_edges(const CGAL::Surface_mesh<Kernel::Point_3>& mesh, Mesh_report& report);
+// What is worth knowing about the finished mesh of a patch.
+struct Mesh_report {
+  Patch_report patch;
+  Mesh_statistics mesh;
+  CGAL::Multisided_patches::Boundary_deviation boundary;
+  std::size_t boundary_vertices = 0;
+};
 
 // Prints a summary to standard output.
-void print_report(const Mesh_options& options, const Model& model, const Mesh_report& report,
-                  const Stage_clock& clock);
+void print_report(const Mesh_job& job, const Mesh_report& report);
 
-// Writes everything to options.report, whole or not at all.
-void write_report(const Mesh_options& options, const Model& model, const Mesh_report& report,
-                  const Stage_clock& clock);
+// Writes everything to the file that the user has named, whole or not at all.
+void write_report(const Mesh_job& job, const Mesh_report& report);
 
 } // namespace multipatch
 

@@ -7,6 +7,8 @@
 #define MULTIPATCH_STAGE_CLOCK_H
 
 #include <chrono>
+#include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <string>
 #include <utility>
@@ -36,6 +38,16 @@ public:
     return f();
   }
 
+  // Shows how much of what is running is done, now and then.
+  void show_progress(const char* what, std::size_t done, std::size_t total) {
+    const Clock::time_point now = Clock::now();
+    if (!show_ || now - shown_ < std::chrono::milliseconds(100))
+      return;
+    shown_ = now;
+    const double part = total > 0 ? static_cast<double>(done) / static_cast<double>(total) : 0;
+    std::fprintf(stderr, "\r\033[K%s: %.0f %% ...", what, std::floor(100 * part));
+  }
+
   // Seconds by stage, in the order in which the stages were first run.
   const std::vector<std::pair<std::string, double>>& seconds() const { return seconds_; }
   // Those of one stage, 0 if it was never run.
@@ -44,6 +56,12 @@ public:
       if (stage == name)
         return time;
     return 0;
+  }
+  double total_seconds() const {
+    double sum = 0;
+    for (const auto& stage : seconds_)
+      sum += stage.second;
+    return sum;
   }
 
 private:
@@ -65,6 +83,7 @@ private:
   }
 
   bool show_;
+  Clock::time_point shown_ = Clock::now();
   std::vector<std::pair<std::string, double>> seconds_;
 };
 

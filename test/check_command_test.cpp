@@ -108,6 +108,9 @@ TEST_CASE("Check finds the sides that patches have in common, and how they meet 
   CHECK_THAT(work.run_well("check a.cgb b.cgb --json -"),
              Contains("\"input_b\": \"b.cgb\"") && Contains("\"reversed\": true"));
 
+  CHECK_THAT(pair, Contains("Sides: 1 pair shared exactly, 10 sides free\n") &&
+                       Contains("\nMesh: ") && !Contains("gap"));
+
   const Result turned = work.run("check a.cgb tilted.cgb --json -");
   CHECK(turned.status == 1);
   CHECK_THAT(turned.err, Contains("1 of 9 sides"));
@@ -118,7 +121,47 @@ TEST_CASE("Check finds the sides that patches have in common, and how they meet 
   const Result apart = work.run("check a.cgb gap.cgb --json -");
   CHECK(apart.status == 1);
   CHECK(last_max(apart.out, "position") == Approx(1e-4).epsilon(1e-9));
-  work.run_well("check a.cgb gap.cgb --position-tolerance 1e-4");
+  CHECK_THAT(work.run_well("check a.cgb gap.cgb --position-tolerance 1e-4"),
+             Contains("a mesh has a gap here") && Contains("Sides: 0 pairs shared exactly, 8 "));
+}
+
+TEST_CASE("Check finds that a closed body is closed") {
+  const Scratch work("check_body");
+  std::string inputs;
+  for (const auto& entry : fs::directory_iterator(MODELS_DIR "/computer_mouse"))
+    inputs += " '" + entry.path().string() + "'";
+  const std::string table = work.run_well("check --json a.json" + inputs);
+  CHECK_THAT(table, Contains("Sides: 30 pairs shared exactly, 0 sides free\n") &&
+                        Contains(" triangles, closed; ") && Contains("; 0 self-intersections, ") &&
+                        !Contains("gap"));
+  const std::string json = contents(work / "a.json");
+  std::size_t seams = 0;
+  for (std::size_t at = json.find("\"exact\": true"); at != std::string::npos;
+       at = json.find("\"exact\": true", at + 1))
+    ++seams;
+  CHECK(seams == 30);
+  CHECK_THAT(json, StartsWith("{\n  \"passed\": true,\n  \"failures\": [],") &&
+                       Contains("\"free_sides\": []") && Contains("\"closed\": true") &&
+                       Contains("\"is_as_joined\": true") && Contains("\"self_intersections\": 0"));
+}
+
+TEST_CASE("Patches that touch at a corner do not intersect") {
+  const Scratch work("check_corner");
+  const std::string body = MODELS_DIR "/computer_mouse/";
+  work.run_well("check -q '" + body + "bottom_left.cgb' '" + body + "rear_right.cgb'");
+}
+
+TEST_CASE("Check fails if the mesh intersects itself") {
+  const Scratch work("check_intersections");
+  const double slope = 1;
+  work.write("a.cgb", square(0, [](double, double) { return 0; }));
+  work.write("b.cgb", square(0, [=](double x, double) { return slope * (x - 0.5); }));
+  const Result result = work.run("check a.cgb b.cgb --mesh-triangles 200 --json a.json");
+  CHECK(result.status == 1);
+  CHECK_THAT(result.err,
+             StartsWith("multipatch: the mesh has ") && EndsWith(" self-intersections\n"));
+  CHECK_THAT(result.out, Contains("\nMesh: ") && Contains("\n  the mesh has "));
+  CHECK_THAT(contents(work / "a.json"), StartsWith("{\n  \"passed\": false,"));
 }
 
 TEST_CASE("What keeps check from its work is said before it starts") {
@@ -145,7 +188,7 @@ TEST_CASE("What keeps check from its work is said before it starts") {
         Row{"x.cgb --plane-tolerance nan", 1, "not nan"},
         Row{"x.cgb --position-tolerance -1", 1, "not -1"},
         Row{"x.cgb --curvature-tolerance much", 2, "much"}, Row{"x.cgb --samples 0", 2, "0"},
-        Row{"", 2, "INPUT"}}) {
+        Row{"x.cgb --mesh-triangles 0", 2, "0"}, Row{"", 2, "INPUT"}}) {
     INFO("multipatch check " << row.arguments);
     const Result result = work.run("check " + row.arguments);
     CHECK(result.status == row.status);

@@ -4,47 +4,48 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "catch.h"
-#include "fixtures.h"
+#include "meshing_fixtures.h"
 
 #include <CGAL/Multisided_patches/analysis/boundary_deviation.h>
-#include <CGAL/Multisided_patches/analysis/mesh_topology.h>
+#include <CGAL/Multisided_patches/analysis/check_mesh.h>
+#include <CGAL/Multisided_patches/meshing/is_valid_domain_mesh.h>
 #include <CGAL/Multisided_patches/meshing/tessellate.h>
-#include <CGAL/Multisided_patches/patches/Concave_bezier_patch_3.h>
+#include <CGAL/Multisided_patches/meshing/tessellate_complex.h>
 
-#include <CGAL/Surface_mesh.h>
+#include <CGAL/Polyhedron_3.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+#endif
 
 using namespace fixtures;
-using Patch = MP::Concave_bezier_patch_3<Kernel>;
-using Mesh = CGAL::Surface_mesh<Point_3>;
+using Polyhedron = CGAL::Polyhedron_3<Kernel>;
 using Vertex = Mesh::Vertex_index;
 
 namespace {
 
-double bowl(double x, double y) {
-  return 0.3 * x * x - 0.2 * y * y + 0.1 * x * y;
+template <typename Any_patch>
+Mesh tessellated(const Any_patch& patch, const MP::Mesh_density& density) {
+  Mesh mesh;
+  MP::tessellate(patch, mesh, density);
+  return mesh;
 }
 
-// A model of MultisidedPatch_3 that has nothing to do with the package's own: a paraboloid.
-class Paraboloid {
-public:
-  using Geom_traits = Kernel;
-  using Point_2 = Kernel::Point_2;
-  using Point_3 = Kernel::Point_3;
-  using Vector_3 = Kernel::Vector_3;
+// A saddle over the square of side 2. Lengths in the direction of u vary by a factor of 13, and are
+// up to 10 times those in the direction of v.
+auto stretched_patch() {
+  const auto formula = [](auto u, auto v) {
+    const auto x = 0.2 * u + 0.8 * u * u * u, y = 0.25 * v;
+    return std::array{x, y, 0.3 * (x * x - y * y)};
+  };
+  return Formula_patch(Domain({{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}), formula);
+}
 
-  const Domain& domain() const { return domain_; }
-  Point_3 point(const Point_2& p, const Domain::Location&) const {
-    return Point_3(p.x(), p.y(), p.x() * p.x() + p.y() * p.y());
-  }
-  std::pair<Point_3, Vector_3> point_and_normal(const Point_2& p,
-                                                const Domain::Location& location) const {
-    const Vector_3 n(-2 * p.x(), -2 * p.y(), 1);
-    return {point(p, location), n / std::sqrt(n.squared_length())};
-  }
-
-private:
-  Domain domain_{Domain(l_shape())};
-};
+void check_edge_lengths(const Mesh& mesh, double target) {
+  CHECK(mean_edge_length(mesh) == Approx(target).epsilon(0.15));
+  CHECK(MP::check_mesh(mesh).longest_edge < 2.5 * target);
+}
 
 } // namespace
 
@@ -54,53 +55,64 @@ TEST_CASE("A tessellated patch is one disk with its boundary on the boundary cur
     const Patch patch(loop);
     for (const std::size_t target : {20, 1000, 20000}) {
       const auto domain_mesh = MP::mesh_domain(patch, MP::Mesh_density::triangles(target));
+      CHECK(MP::domain_mesh_defect(patch.domain(), domain_mesh) == "");
       Mesh mesh;
       MP::tessellate(patch, domain_mesh, mesh);
       CHECK(MP::mesh_topology(mesh).is_disk());
       CHECK(mesh.is_valid(false));
       CHECK(MP::boundary_deviation(loop, domain_mesh, mesh).vertices <= 1e-15 * loop.diagonal());
       if (target >= 1000)
-        CHECK(mesh.number_of_faces() == Approx(target).epsilon(0.02));
+        CHECK(mesh.number_of_faces() == Approx(target).epsilon(0.03));
+    }
+  }
+}
+
+TEST_CASE("Meshes have the wanted number of triangles, to 5 percent") {
+  for (const std::string& name : model_names()) {
+    const Patch patch(read_model(name));
+    for (const std::size_t target : {500, 5000}) {
+      CAPTURE(name, target);
+      CHECK(tessellated(patch, MP::Mesh_density::triangles(target)).number_of_faces() ==
+            Approx(target).epsilon(0.05));
     }
   }
 }
 
 TEST_CASE("Edges have about the target length on the average, and none is much longer") {
   const Patch patch(lifted_loop(u_shape(), bowl));
-  for (const double target : {0.3, 0.1, 0.03}) {
-    Mesh mesh;
-    MP::tessellate(patch, mesh, target);
-    double sum = 0, longest = 0;
-    for (const auto e : mesh.edges()) {
-      const double length = std::sqrt(
-          CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
-      sum += length;
-      longest = (std::max)(longest, length);
-    }
-    CHECK(sum / static_cast<double>(mesh.number_of_edges()) == Approx(target).epsilon(0.15));
-    CHECK(longest < 2.5 * target);
+  for (const double target : {0.3, 0.1, 0.03})
+    check_edge_lengths(tessellated(patch, target), target);
+}
+
+TEST_CASE("Triangles are well shaped on the surface, however stretched the parameters are") {
+  const auto patch = stretched_patch();
+  for (const double target : {0.1, 0.05, 0.02, 0.01}) {
+    CAPTURE(target);
+    const Mesh mesh = tessellated(patch, target);
+    check_edge_lengths(mesh, target);
+    CHECK(MP::check_mesh(mesh).smallest_angle > 15);
+    CHECK(mean_smallest_angle(mesh) > 45);
   }
+  for (const std::size_t target : {1000, 10000})
+    CHECK(tessellated(patch, MP::Mesh_density::triangles(target)).number_of_faces() ==
+          Approx(target).epsilon(0.05));
 }
 
 TEST_CASE("Vertices carry unit normals that fit the triangles, and their place in the domain") {
   const Patch patch(lifted_loop(l_shape(), bowl));
-  Mesh mesh;
-  MP::tessellate(patch, mesh, MP::Mesh_density::triangles(5000));
-  const auto normal = mesh.add_property_map<Vertex, Vector_3>("v:normal").first;
-  const auto u = mesh.add_property_map<Vertex, double>("v:u").first;
-  const auto v = mesh.add_property_map<Vertex, double>("v:v").first;
+  const Mesh mesh = tessellated(patch, MP::Mesh_density::triangles(5000));
+  const auto normal = mesh.property_map<Vertex, Vector_3>("v:normal").first;
+  CHECK(MP::check_mesh(mesh, CGAL::parameters::vertex_normal_map(normal)).inverted_triangles == 0u);
   for (const auto f : mesh.faces()) {
-    Vertex corners[3];
-    auto h = mesh.halfedge(f);
-    for (Vertex& c : corners) {
-      c = mesh.target(h);
-      h = mesh.next(h);
-    }
-    const Vector_3 n =
-        CGAL::normal(mesh.point(corners[0]), mesh.point(corners[1]), mesh.point(corners[2]));
-    for (const Vertex c : corners)
-      CHECK(n * normal[c] > 0.9 * std::sqrt(n.squared_length()));
+    std::vector<Vertex> c;
+    for (const Vertex v : CGAL::vertices_around_face(mesh.halfedge(f), mesh))
+      c.push_back(v);
+    const Vector_3 n = CGAL::normal(mesh.point(c[0]), mesh.point(c[1]), mesh.point(c[2]));
+    for (const Vertex v : c)
+      CHECK(n * normal[v] > 0.9 * std::sqrt(n.squared_length()));
   }
+  const auto u = mesh.property_map<Vertex, double>("v:u").first;
+  const auto v = mesh.property_map<Vertex, double>("v:v").first;
   for (const Vertex w : mesh.vertices()) {
     CHECK(normal[w].squared_length() == Approx(1));
     if (!mesh.is_border(w))
@@ -108,14 +120,18 @@ TEST_CASE("Vertices carry unit normals that fit the triangles, and their place i
   }
 }
 
-TEST_CASE("Tessellation gives the same mesh in parallel and in sequence") {
+TEST_CASE("Polyhedron_3 and Surface_mesh get the same points and triangles") {
   const Patch patch(lifted_loop(u_shape(), bowl));
-  Mesh parallel, sequential;
-  MP::tessellate<CGAL::Parallel_if_available_tag>(patch, parallel, 0.05);
-  MP::tessellate<CGAL::Sequential_tag>(patch, sequential, 0.05);
-  REQUIRE(parallel.number_of_vertices() == sequential.number_of_vertices());
-  for (const Vertex v : parallel.vertices())
-    CHECK(parallel.point(v) == sequential.point(v));
+  for (const auto& density : {MP::Mesh_density(0.2), MP::Mesh_density::chordal_deviation(1e-3)}) {
+    Polyhedron polyhedron;
+    MP::tessellate(patch, polyhedron, density);
+    CHECK(polyhedron.is_valid());
+    CHECK(polyhedron.is_pure_triangle());
+    const Mesh mesh = tessellated(patch, density);
+    CHECK((triangles(polyhedron) == triangles(mesh)));
+    CHECK(polyhedron.size_of_vertices() == mesh.number_of_vertices());
+    CHECK(std::equal(polyhedron.points_begin(), polyhedron.points_end(), mesh.points().begin()));
+  }
 }
 
 TEST_CASE("Two patches on the two sides of a curve get bitwise the same points on it") {
@@ -127,9 +143,6 @@ TEST_CASE("Two patches on the two sides of a curve get bitwise the same points o
             points.begin() + 4);
   ribbons[3] = Ribbon(3, 2, points);
   const Patch left(left_loop), right{Loop(ribbons)};
-  Mesh a, b;
-  MP::tessellate(left, a, 0.013);
-  MP::tessellate(right, b, 0.013);
   const auto shared_points = [](const Mesh& mesh) {
     std::vector<Point_3> shared;
     for (const Vertex v : mesh.vertices())
@@ -138,13 +151,20 @@ TEST_CASE("Two patches on the two sides of a curve get bitwise the same points o
     std::sort(shared.begin(), shared.end());
     return shared;
   };
-  CHECK(shared_points(a).size() > 70);
-  CHECK(shared_points(a) == shared_points(b));
+  for (const auto& [density, least] : {std::pair(MP::Mesh_density(0.013), 70),
+                                       {MP::Mesh_density::chordal_deviation(1e-4), 10},
+                                       {MP::Mesh_density::normal_deviation(3), 10}}) {
+    const auto a = shared_points(tessellated(left, density));
+    CHECK(a.size() > static_cast<std::size_t>(least));
+    CHECK((a == shared_points(tessellated(right, density))));
+  }
 }
 
 TEST_CASE("Any class with the members of a patch can be tessellated") {
-  Mesh mesh;
-  MP::tessellate(Paraboloid(), mesh, MP::Mesh_density::triangles(2000));
+  const Formula_patch paraboloid(Domain(l_shape()), [](auto u, auto v) {
+    return std::array{u, v, u * u + v * v};
+  });
+  const Mesh mesh = tessellated(paraboloid, MP::Mesh_density::triangles(2000));
   CHECK(MP::mesh_topology(mesh).is_disk());
   for (const Vertex v : mesh.vertices()) {
     const Point_3& p = mesh.point(v);
@@ -152,13 +172,27 @@ TEST_CASE("Any class with the members of a patch can be tessellated") {
   }
 }
 
-TEST_CASE("Tessellation adds to a mesh that already has faces") {
+TEST_CASE("Patches over domains with holes can be tessellated") {
+  const Formula_patch patch(
+      Domain({{0, 0}, {3, 0}, {3, 3}, {0, 3}},
+             {{{0.5, 1}, {0.5, 2}, {1, 2}, {1, 1}}, {{2, 1}, {1.5, 2.5}, {2.5, 2.5}}}),
+      [](auto u, auto v) {
+        return std::array{u, v, 0.2 * u * v};
+      });
+  const MP::Mesh_topology topology = MP::mesh_topology(tessellated(patch, 0.1));
+  CHECK(topology.components == 1);
+  CHECK(topology.boundary_loops == 3);
+  CHECK(topology.euler_characteristic == -1);
+}
+
+TEST_CASE("Tessellation adds to a mesh that already has faces, and leaves those alone") {
   const Patch patch(lifted_loop(l_shape(), bowl));
-  Mesh mesh;
+  Mesh mesh = tessellated(patch, 0.2);
+  const Triangles once = triangles(mesh);
   MP::tessellate(patch, mesh, 0.2);
-  const auto once = mesh.number_of_faces();
-  MP::tessellate(patch, mesh, 0.2);
-  CHECK(mesh.number_of_faces() == 2 * once);
+  Triangles twice = once;
+  twice.insert(twice.end(), once.begin(), once.end());
+  CHECK((triangles(mesh) == twice));
   CHECK(MP::mesh_topology(mesh).components == 2);
   CHECK_FALSE(MP::mesh_topology(mesh).is_disk());
 }
@@ -166,12 +200,77 @@ TEST_CASE("Tessellation adds to a mesh that already has faces") {
 TEST_CASE("Densities that make no sense are refused, and the mesh stays as it was") {
   const Patch patch(lifted_loop(l_shape(), bowl));
   Mesh mesh;
+  using Density = MP::Mesh_density;
   for (const double length : {0.0, -1.0, std::nan(""), HUGE_VAL, 1e-9, 1e-300})
     CHECK_THROWS_AS(MP::tessellate(patch, mesh, length), MP::Input_error);
-  CHECK_THROWS_AS(MP::Mesh_density::triangles(0), MP::Input_error);
-  CHECK_THROWS_AS(MP::Mesh_density::triangles(1000000000000), MP::Input_error);
+  for (const double bad : {0.0, -1.0, std::nan(""), HUGE_VAL}) {
+    CHECK_THROWS_AS(Density::chordal_deviation(bad), MP::Input_error);
+    CHECK_THROWS_AS(Density::normal_deviation(bad), MP::Input_error);
+  }
+  CHECK_THROWS_AS(Density::normal_deviation(90.1), MP::Input_error);
+  CHECK_THROWS_AS(Density::triangles(0), MP::Input_error);
+  CHECK_THROWS_AS(Density::triangles(1000000000000), MP::Input_error);
+  CHECK_THROWS_AS(Density::triangles(10) & Density(1), MP::Input_error);
+  CHECK_THROWS_AS(Density(1) & Density::triangles(10), MP::Input_error);
   CHECK(mesh.number_of_vertices() == 0);
+  CHECK(mesh.properties<Vertex>().size() == Mesh().properties<Vertex>().size());
   // As coarse as it gets: no point inside, and no sample on the sides.
   MP::tessellate(patch, mesh, 1e9);
   CHECK(mesh.number_of_faces() == 4);
+}
+
+// ------------------------------------------------------------------------------------- threads
+
+namespace {
+
+// Calls f with one thread, with several, and in a small arena.
+template <typename Function>
+void with_all_numbers_of_threads([[maybe_unused]] const Function& f) {
+#ifdef CGAL_LINKED_WITH_TBB
+  for (const std::size_t threads : {1, 2, 8}) {
+    CAPTURE(threads);
+    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+    f();
+    tbb::task_arena arena(static_cast<int>(threads));
+    arena.execute(f);
+  }
+#else
+  f();
+#endif
+}
+
+template <typename Any>
+void check_threads(const Any& patch_or_complex, const MP::Mesh_density& density) {
+  Mesh sequential;
+  MP::tessellate<CGAL::Sequential_tag>(patch_or_complex, sequential, density);
+  const auto normals = sequential.property_map<Vertex, Vector_3>("v:normal").first;
+  const Triangles expected = triangles(sequential);
+  with_all_numbers_of_threads([&] {
+    Mesh mesh;
+    MP::tessellate<CGAL::Parallel_if_available_tag>(patch_or_complex, mesh, density);
+    CHECK((triangles(mesh) == expected));
+    const auto n = mesh.property_map<Vertex, Vector_3>("v:normal").first;
+    REQUIRE(mesh.number_of_vertices() == sequential.number_of_vertices());
+    bool is_same = true;
+    for (const Vertex v : mesh.vertices())
+      is_same = is_same && mesh.point(v) == sequential.point(v) && n[v] == normals[v];
+    CHECK(is_same);
+  });
+}
+
+} // namespace
+
+TEST_CASE("A patch gives the same mesh, bit for bit, however many threads there are") {
+  const Patch patch(lifted_loop(u_shape(), bowl));
+  for (const auto& density : {MP::Mesh_density(0.05), MP::Mesh_density::triangles(20000),
+                              MP::Mesh_density::chordal_deviation(3e-4),
+                              MP::Mesh_density::chordal_deviation(1e-3) & 0.04})
+    check_threads(patch, density);
+}
+
+TEST_CASE("A complex gives the same mesh, bit for bit, however many threads there are") {
+  const auto models = computer_mouse();
+  check_threads(MP::Patch_complex<Patch>(make_patches(models)), 4);
+  const MP::Patch_complex<Patch> part(make_patches({models.begin(), models.begin() + 4}));
+  check_threads(part, MP::Mesh_density::chordal_deviation(0.1));
 }

@@ -47,7 +47,7 @@ struct Options {
 
 // Larger meshes than a case is to have, because the surface is larger than its loop suggests, are
 // given up. That is no finding.
-constexpr std::size_t max_points = 15'000;
+constexpr std::size_t max_points = 10'000;
 
 struct Size_limit {
   bool go_further(MP::Tessellation_stage stage, std::size_t done, std::size_t total) {

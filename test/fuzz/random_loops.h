@@ -134,7 +134,7 @@ inline Plan harmless_plan(Random& random) {
 
 inline Plan random_plan(Random& random) {
   const double u = random.in(0, 1);
-  const std::size_t n = 3 + static_cast<std::size_t>(38 * u * u);
+  const std::size_t n = 3 + static_cast<std::size_t>(38 * u * u * u);
   const auto at_least = [&](std::size_t m) { return (std::max)(n, m); };
   switch (random.integer(0, 9)) {
   case 0:

@@ -27,6 +27,7 @@
 #include <cstddef>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -66,11 +67,12 @@ public:
     return mesher.finish();
   }
 
-  // No deviation larger than the density says, and edges no longer, if it says so.
+  // No deviation larger than the density says, and edges no longer, if it says so. Once it has
+  // turned out that this is impossible whatever the sides, the same exception is thrown again.
   Mesh with_deviations(const Side_parameters& sides, const Mesh_density& density) {
+    if (impossible_)
+      throw *impossible_;
     const double unit = surface_.unit();
-    // Deviations between the samples are a little larger than at them.
-    constexpr double reserve = 0.9;
     const Meter meter(surface_, reserve * density.max_chordal_deviation().value_or(infinity) / unit,
                       reserve * density.max_normal_deviation().value_or(infinity));
     const double longest =
@@ -89,8 +91,10 @@ public:
       sample(mesher, sampled);
       const std::vector<double> excess = measure(meter, sampled);
       outlook.update(sampled.triangles.size(), excess);
-      if (outlook.is_hopeless())
-        throw_unreachable(meter, sampled);
+      if (outlook.is_hopeless()) {
+        accept_or_throw(mesher, meter, sampled);
+        return mesher.finish();
+      }
       Surface_metric next(sampled);
       next.set_edge_lengths(edge_lengths_for_excess(next, excess, longest));
       if (round == max_rounds ||
@@ -121,6 +125,9 @@ private:
   // Of triangles on sides, if there is a bound on deviations; relative to the segment of the side.
   // The flatter they are, the more the height of the boundary curve over the segment tilts them.
   static constexpr double least_height_on_sides = 0.15;
+
+  // Deviations between the samples are a little larger than at them, so less is aimed at.
+  static constexpr double reserve = 0.9;
 
   static bool exceeds(double excess) { return excess > 1; }
 
@@ -236,7 +243,7 @@ private:
     double height = least_height_on_sides;
     for (int round = 0; !failing.empty(); ++round) {
       if (round == max_rounds || outlook.is_hopeless())
-        throw_unreachable(meter, sampled);
+        return accept_or_throw(mesher, meter, sampled);
       const std::size_t old = sampled.uv.size();
       const std::set<Corners> corners = corners_of(sampled, failing);
       mesher.divide(failing);
@@ -245,7 +252,7 @@ private:
         constexpr double least_height = 0.02;
         height /= 2;
         if (height < least_height)
-          throw_unreachable(meter, sampled);
+          return accept_or_throw(mesher, meter, sampled);
         mesher.keep_off_sides(height);
         continue;
       }
@@ -288,18 +295,30 @@ private:
     return result;
   }
 
-  [[noreturn]] void throw_unreachable(const Meter& meter, const Sampled_mesh& mesh) {
+  // Ends the refinement of a mesh that does not get any better: it may still do without the
+  // reserve.
+  void accept_or_throw(const Mesher& mesher, const Meter& meter, const Sampled_mesh& mesh) {
     const std::vector<double> excess = measure(meter, mesh);
     const auto worst =
         static_cast<std::size_t>(std::max_element(excess.begin(), excess.end()) - excess.begin());
+    if (excess[worst] <= 1 / std::sqrt(reserve))
+      return;
     const Linked_triangle& t = mesh.triangles[worst];
     const auto deviation = meter(mesh, t);
-    throw Accuracy_error("however fine the triangles are, the mesh deviates from the surface by " +
-                             to_short_text(deviation.chordal * surface_.unit()) + " and " +
-                             to_short_text(deviation.normal * 180 / pi) + " degrees at (u,v) = (" +
-                             to_short_text(mesh.uv[t.vertices[0]].x) + ", " +
-                             to_short_text(mesh.uv[t.vertices[0]].y) + ")",
-                         excess[worst]);
+    const std::string distance = to_short_text(deviation.chordal * surface_.unit()),
+                      angle = to_short_text(deviation.normal * 180 / pi) + " degrees";
+    const Accuracy_error error(
+        "however fine the triangles are, the mesh deviates from the surface by " +
+            (deviation.normal == 0    ? distance
+             : deviation.chordal == 0 ? angle
+                                      : distance + " and " + angle) +
+            " at (u,v) = (" + to_short_text(mesh.uv[t.vertices[0]].x) + ", " +
+            to_short_text(mesh.uv[t.vertices[0]].y) + ")",
+        excess[worst]);
+    const std::size_t n = mesher.mesh().number_of_boundary_points;
+    if (std::none_of(t.vertices.begin(), t.vertices.end(), [&](std::size_t v) { return v < n; }))
+      impossible_ = error;
+    throw error;
   }
 
   // Calls f(k) for k < n, and tells the visitor in between.
@@ -318,6 +337,7 @@ private:
   Sampled_mesh coarse_;
   Surface_metric coarse_metric_;
   std::vector<std::size_t> coarse_hints_;
+  std::optional<Accuracy_error> impossible_; // why no triangles keep to the deviations
 };
 
 } // namespace internal
