@@ -17,7 +17,7 @@ namespace Multisided_patches {
 enum class Tessellation_stage {
   meshing,    //!< points and triangles in the domain
   evaluation, //!< points and normals of the surface
-  assembly    //!< the caller's mesh; this cannot be cancelled any more
+  assembly    //!< the caller's mesh: announced before it begins, and not interrupted
 };
 
 //! Thrown where a visitor does not want to go on. Nothing has been written by then.

@@ -54,7 +54,7 @@ void tessellate(const Patch& patch, const Domain_mesh_2<typename Patch::Geom_tra
   internal::fill_missing_normals(patch_mesh);
   const std::size_t n = domain_mesh.points.size();
   internal::report_progress(visitor, Tessellation_stage::assembly, 0, n);
-  const auto all_maps = internal::maps_or_default(maps, mesh, patch);
+  const auto all_maps = internal::maps_or_default<Patch>(maps, mesh);
   internal::Mesh_builder<FaceGraph, std::decay_t<decltype(all_maps)>> builder(mesh, all_maps);
   builder.make_room(n, domain_mesh.triangles.size());
   using Graph = boost::graph_traits<FaceGraph>;

@@ -48,7 +48,7 @@ void tessellate(const Patch_complex<Patch>& complex, FaceGraph& mesh, const Mesh
                                                                                            visitor);
   mesher.run(density);
   internal::report_progress(visitor, Tessellation_stage::assembly, 0, mesher.number_of_vertices());
-  const auto all_maps = internal::maps_or_default(maps, mesh, complex);
+  const auto all_maps = internal::maps_or_default_of_complex<Patch>(maps, mesh);
   internal::Mesh_builder<FaceGraph, std::decay_t<decltype(all_maps)>> builder(mesh, all_maps);
   mesher.assemble(builder);
 }

@@ -13,6 +13,7 @@
 #include <CGAL/Multisided_patches/meshing/Patch_complex.h>
 #include <CGAL/Multisided_patches/meshing/internal/Mesh_builder.h>
 #include <CGAL/Multisided_patches/meshing/internal/Surface_mesher.h>
+#include <CGAL/Multisided_patches/meshing/internal/split_chords.h>
 #include <CGAL/Multisided_patches/meshing/mesh_domain.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -77,6 +78,8 @@ public:
   }
 
   void run(const Mesh_density& density) {
+    if (size() == 0)
+      return;
     if (density.target_triangles()) {
       double area = 0;
       for (const auto& mesher : meshers_)
@@ -87,6 +90,8 @@ public:
       find_share_of_turn(density, [&](double share) { mesh_domains(density, share); });
     }
     meshers_.clear();
+    group_vertices();
+    split_chords(domain_meshes_, groups_);
     for_each_patch([&](std::size_t k) {
       meshes_[k] =
           evaluate_vertices<ConcurrencyTag>(complex_.patches()[k], domain_meshes_[k], visitor_);
@@ -158,7 +163,6 @@ private:
     std::size_t triangles = 0;
     for (const auto& mesh : domain_meshes_)
       triangles += mesh.triangles.size();
-    group_vertices();
     return triangles;
   }
 

@@ -6,8 +6,10 @@
 #ifndef CGAL_MULTISIDED_PATCHES_MESHING_INTERNAL_DOMAIN_MESHER_H
 #define CGAL_MULTISIDED_PATCHES_MESHING_INTERNAL_DOMAIN_MESHER_H
 
+#include <CGAL/Multisided_patches/errors.h>
 #include <CGAL/Multisided_patches/internal/Boundary_triangulation.h>
 #include <CGAL/Multisided_patches/internal/Linked_triangle.h>
+#include <CGAL/Multisided_patches/internal/to_text.h>
 #include <CGAL/Multisided_patches/meshing/Domain_mesh_2.h>
 #include <CGAL/Multisided_patches/meshing/internal/Metric_refiner.h>
 
@@ -68,7 +70,17 @@ public:
   }
 
 private:
+  // The sizes of domains in which products of four lengths neither vanish nor overflow.
+  static void check_size(const Domain& domain) {
+    constexpr double smallest = 1e-70, largest = 1e70;
+    const double diameter = domain.diameter();
+    if (!(diameter > smallest && diameter < largest))
+      throw Input_error("the domain is too large or too small for meshing: its diameter is " +
+                        to_short_text(diameter) + ", not between 1e-70 and 1e70");
+  }
+
   static Mesh sample_boundary(const Domain& domain, const Side_parameters& sides) {
+    check_size(domain);
     Mesh mesh;
     for (std::size_t i = 0; i < domain.size(); ++i) {
       mesh.points.push_back(domain.vertex(i));

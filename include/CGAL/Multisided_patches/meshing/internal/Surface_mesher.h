@@ -81,7 +81,9 @@ public:
     Surface_metric metric = coarse_metric_;
     std::vector<std::size_t> hints = coarse_hints_;
     Refinement_outlook outlook;
-    metric.set_edge_lengths(edge_lengths_for_excess(metric, measure(meter, coarse_), longest));
+    const std::vector<double> coarse_excess = measure(meter, coarse_);
+    check_count(coarse_excess);
+    metric.set_edge_lengths(edge_lengths_for_excess(metric, coarse_excess, longest));
     for (int round = 1;; ++round) {
       check_count(metric, sides, "these deviations");
       Mesher mesher(domain(), sides, metric, hints);
@@ -190,13 +192,24 @@ private:
                         " triangles; the limit is " + std::to_string(Mesh_density::max_triangles));
   }
 
+  // A triangle gives way to as many as the square of its excess.
+  static void check_count(const std::vector<double>& excess) {
+    double count = 0;
+    for (const double e : excess)
+      count += std::isfinite(e) ? e * e : 0;
+    if (!(count <= static_cast<double>(Mesh_density::max_triangles)))
+      throw Input_error("these deviations would need about " + to_short_text(count) +
+                        " triangles; the limit is " + std::to_string(Mesh_density::max_triangles));
+  }
+
   template <typename Any_mesher>
   void refine(Any_mesher& mesher, std::size_t expected) {
-    report_progress(visitor_, Tessellation_stage::meshing, mesher.mesh().points.size(), expected);
+    const std::size_t points = mesher.mesh().points.size();
+    report_progress(visitor_, Tessellation_stage::meshing, points, (std::max)(points, expected));
     // Triangles between short and long segments of the boundary add to what is expected.
-    const std::size_t limit = 4 * expected + 20 * mesher.mesh().points.size() + 1000;
-    mesher.refine(limit, [&](std::size_t points) {
-      report_progress(visitor_, Tessellation_stage::meshing, points, (std::max)(points, expected));
+    const std::size_t limit = 4 * expected + 20 * points + 1000;
+    mesher.refine(limit, [&](std::size_t done) {
+      report_progress(visitor_, Tessellation_stage::meshing, done, (std::max)(done, expected));
     });
   }
 

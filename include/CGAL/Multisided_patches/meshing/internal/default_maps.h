@@ -7,7 +7,6 @@
 #define CGAL_MULTISIDED_PATCHES_MESHING_INTERNAL_DEFAULT_MAPS_H
 
 #include <CGAL/Multisided_patches/meshing/Mesh_maps.h>
-#include <CGAL/Multisided_patches/meshing/Patch_complex.h>
 
 #include <CGAL/Origin.h>
 #include <CGAL/Surface_mesh/Surface_mesh.h>
@@ -31,13 +30,14 @@ struct Uv_maps {
   }
 };
 
-template <typename FaceGraph, typename Patch>
-Mesh_maps<> maps_or_default(const Default_maps&, FaceGraph&, const Patch&) {
+// The maps themselves, or those that stand for the default.
+template <typename Patch, typename FaceGraph>
+Mesh_maps<> maps_or_default(const Default_maps&, FaceGraph&) {
   return {};
 }
 
-template <typename Point_3, typename Patch>
-auto maps_or_default(const Default_maps&, Surface_mesh<Point_3>& mesh, const Patch&) {
+template <typename Patch, typename Point_3>
+auto maps_or_default(const Default_maps&, Surface_mesh<Point_3>& mesh) {
   using Vertex = typename Surface_mesh<Point_3>::Vertex_index;
   using Vector_3 = typename Patch::Geom_traits::Vector_3;
   const auto u = mesh.template add_property_map<Vertex, double>("v:u", 0).first;
@@ -48,23 +48,22 @@ auto maps_or_default(const Default_maps&, Surface_mesh<Point_3>& mesh, const Pat
       Uv_maps<std::decay_t<decltype(u)>>{u, v});
 }
 
-// In a complex, faces tell their patch.
-template <typename FaceGraph, typename Patch>
-Mesh_maps<> maps_or_default(const Default_maps&, FaceGraph&, const Patch_complex<Patch>&) {
-  return {};
+template <typename Patch, typename Maps, typename FaceGraph>
+const Maps& maps_or_default(const Maps& maps, FaceGraph&) {
+  return maps;
 }
 
-template <typename Point_3, typename Patch>
-auto maps_or_default(const Default_maps& maps, Surface_mesh<Point_3>& mesh,
-                     const Patch_complex<Patch>& complex) {
+// In a complex, faces tell their patch.
+template <typename Patch, typename Maps, typename FaceGraph>
+auto maps_or_default_of_complex(const Maps& maps, FaceGraph& mesh) {
+  return maps_or_default<Patch>(maps, mesh);
+}
+
+template <typename Patch, typename Point_3>
+auto maps_or_default_of_complex(const Default_maps& maps, Surface_mesh<Point_3>& mesh) {
   using Face = typename Surface_mesh<Point_3>::Face_index;
   const auto patches = mesh.template add_property_map<Face, int>("f:patch", 0).first;
-  return maps_or_default(maps, mesh, complex.patches().front()).face_patch_map(patches);
-}
-
-template <typename Maps, typename FaceGraph, typename Patch>
-const Maps& maps_or_default(const Maps& maps, FaceGraph&, const Patch&) {
-  return maps;
+  return maps_or_default<Patch>(maps, mesh).face_patch_map(patches);
 }
 
 } // namespace internal
