@@ -129,23 +129,23 @@ Outcome mesh_loop(const Raw_loop& raw, const MP::Domain_options& domain, Coordin
 // A density for loops of any diagonal, and its description.
 std::pair<std::function<MP::Mesh_density(double)>, std::string> random_density(Random& random) {
   using MP::Mesh_density;
-  const std::size_t kind = random.integer(0, 9);
+  const double u = random.in(0, 1);
   const double edge = power_of_ten(random, std::log10(0.02), std::log10(3));
   const double chordal = power_of_ten(random, -3, -1), normal = power_of_ten(random, 0.7, 1.78);
   const auto count = static_cast<std::size_t>(power_of_ten(random, 0, 3.477));
   const auto text = [](const char* name, double x) {
     return std::string(name) + ' ' + MP::internal::to_short_text(x);
   };
-  if (kind < 3)
+  if (u < 0.35)
     return {[=](double) { return Mesh_density::triangles(count); },
             "triangles " + std::to_string(count)};
-  if (kind < 5)
+  if (u < 0.65)
     return {[=](double size) { return Mesh_density::edge_length(edge * size); },
             text("edge length", edge)};
-  if (kind < 7)
+  if (u < 0.83)
     return {[=](double size) { return Mesh_density::chordal_deviation(chordal * size); },
             text("chordal deviation", chordal)};
-  if (kind < 9)
+  if (u < 0.95)
     return {[=](double) { return Mesh_density::normal_deviation(normal); },
             text("normal deviation", normal)};
   return {[=](double size) {

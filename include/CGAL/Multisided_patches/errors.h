@@ -45,7 +45,8 @@ public:
   Accuracy_error(const std::string& message, double reached)
       : Numerical_error(message), reached_(reached) {}
 
-  //! the error of the best result; infinity, if there was none
+  //! the error that was reached, in the unit of the one that was asked for; of a mesh, the factor
+  //! by which edges were too long; infinity, if there was no result
   double reached() const { return reached_; }
 
 private:

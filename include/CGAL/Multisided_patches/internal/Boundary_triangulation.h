@@ -94,6 +94,11 @@ private:
     try {
       for (std::size_t k = 0; k < next.size(); ++k)
         triangulation_.insert_constraint(handles[k], handles[next[k]]);
+      // A constraint with another point on it is divided there, silently.
+      for (std::size_t k = 0; k < next.size(); ++k)
+        if (!triangulation_.is_edge(handles[k], handles[next[k]]))
+          throw Numerical_error("edges on the domain's boundary touch: its sides are too close to "
+                                "each other for the precision of the coordinates");
     } catch (const typename Triangulation::Intersection_of_constraints_exception&) {
       throw Numerical_error("edges on the domain's boundary cross: its sides are too close to each "
                             "other for the precision of the coordinates");

@@ -32,11 +32,13 @@ public:
  */
 struct Tessellation_visitor {
   /*!
-   * is called often, every few milliseconds, always by the thread that called `tessellate()` or
-   * by one at a time.
+   * is called often, before every 16384 points at the latest, by the thread that called
+   * `tessellate()` or by one at a time.
    *
    * \param stage what is being done
-   * \param done,total how much of it is done, in points; the total may be an estimate, and grow
+   * \param done,total how much of it is done, in points; the total may be an estimate, and grow.
+   * Each patch of a complex tells about itself, and stages come again if a mesh is made several
+   * times
    *
    * \return whether to go on; if not, a `Cancelled` exception is thrown, and the mesh of the caller
    * stays as it was

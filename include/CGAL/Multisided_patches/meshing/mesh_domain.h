@@ -87,7 +87,7 @@ void find_edge_length(std::size_t target, double area, const Function& mesh) {
  * Sides are sampled by `sample_side()`, and so patches that share a curve get the same points on
  * it, if they are meshed with the same density: with a target edge length, evenly along the curve;
  * with a chordal deviation, by half of it; with a normal deviation, by the turn of the tangent.
- * (For a number of triangles, patches find edge lengths of their own. `Patch_complex_3` finds a
+ * (For a number of triangles, patches find edge lengths of their own. `Patch_complex` finds a
  * common one.) Inside, edges have about the target length on the average, or are as long as the
  * deviations allow, and change gradually. The deviations of all triangles are measured at 7 samples
  * in each, and triangles refined, until none exceeds the bounds.
@@ -107,7 +107,7 @@ void find_edge_length(std::size_t target, double area, const Function& mesh) {
  * finite, or as `triangulate_domain()` does
  * \throws Cancelled if the visitor wants so
  *
- * Complexity: O(m log m) in practice for m triangles, and some hundreds of points of the surface;
+ * Complexity: O(m log m) in practice for m triangles, and some thousands of points of the surface;
  * with deviations, 7 points for each triangle, a few times over.
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag, typename Patch,

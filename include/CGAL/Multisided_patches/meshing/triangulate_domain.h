@@ -17,6 +17,7 @@
 
 #include <CGAL/assertions.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -42,7 +43,8 @@ namespace Multisided_patches {
  * \param smoothing_sweeps how many times every point inside is moved towards the centroid of the
  * triangles around it, where that makes them better; 2 raise the smallest angles by about 5 degrees
  *
- * \throws Input_error if there would be more than `Mesh_density::max_triangles` triangles
+ * \throws Input_error if there would be more than `Mesh_density::max_triangles` triangles, or the
+ * diameter of the domain is not between 1e-70 and 1e70
  * \throws Numerical_error if sides are so close to each other, or so short, that rounded samples
  * coincide or cross
  *
@@ -53,6 +55,7 @@ Domain_mesh_2<Traits> triangulate_domain(const Polygonal_domain_2<Traits>& domai
                                          const std::vector<std::size_t>& segments, double spacing,
                                          int smoothing_sweeps = 0) {
   CGAL_precondition(segments.size() == domain.size() && spacing > 0);
+  CGAL_precondition(std::find(segments.begin(), segments.end(), 0) == segments.end());
   const double triangles =
       CGAL::to_double(domain.area()) / (spacing * spacing * std::sqrt(3.0) / 4);
   if (!(triangles <= static_cast<double>(Mesh_density::max_triangles)))
@@ -65,7 +68,7 @@ Domain_mesh_2<Traits> triangulate_domain(const Polygonal_domain_2<Traits>& domai
   const internal::Uniform_metric metric(spacing);
   internal::Domain_mesher<Traits, internal::Uniform_metric> mesher(
       domain, sides, metric, std::vector<std::size_t>(domain.size(), 0));
-  mesher.refine(Mesh_density::max_triangles, [](std::size_t) {});
+  mesher.refine(Mesh_density::max_triangles / 2, [](std::size_t) {});
   mesher.smooth(smoothing_sweeps);
   return mesher.finish();
 }

@@ -39,12 +39,18 @@ public:
   explicit Shared_visitor(Visitor& visitor) : visitor_(visitor) {}
   bool go_further(Tessellation_stage stage, std::size_t done, std::size_t total) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    return visitor_.go_further(stage, done, total);
+    // Once it does not want to go on, or throws, it is not asked again.
+    if (is_cancelled_)
+      return false;
+    is_cancelled_ = true;
+    is_cancelled_ = !visitor_.go_further(stage, done, total);
+    return !is_cancelled_;
   }
 
 private:
   Visitor& visitor_;
   std::mutex mutex_;
+  bool is_cancelled_ = false;
 };
 
 // Puts a name before the message of what f throws.
@@ -92,6 +98,11 @@ public:
     meshers_.clear();
     group_vertices();
     split_chords(domain_meshes_, groups_);
+    const std::optional<std::size_t> torn = find_torn_patch(domain_meshes_, groups_);
+    if (torn)
+      throw Input_error(complex_.names()[*torn] +
+                        ": the triangles are too large for the sides that this patch shares with "
+                        "others, or with itself; ask for shorter edges");
     for_each_patch([&](std::size_t k) {
       meshes_[k] =
           evaluate_vertices<ConcurrencyTag>(complex_.patches()[k], domain_meshes_[k], visitor_);

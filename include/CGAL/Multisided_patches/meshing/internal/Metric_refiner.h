@@ -6,8 +6,8 @@
 #ifndef CGAL_MULTISIDED_PATCHES_MESHING_INTERNAL_METRIC_REFINER_H
 #define CGAL_MULTISIDED_PATCHES_MESHING_INTERNAL_METRIC_REFINER_H
 
-#include <CGAL/Multisided_patches/internal/Boundary_triangulation.h>
 #include <CGAL/Multisided_patches/meshing/internal/Metric_2.h>
+#include <CGAL/Multisided_patches/meshing/internal/Metric_triangulation.h>
 
 #include <boost/container/small_vector.hpp>
 
@@ -17,7 +17,6 @@
 #include <cstddef>
 #include <deque>
 #include <limits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -32,29 +31,27 @@ namespace internal {
 // advancing front: not at the circumcenter, but nearer to the shortest edge, where they complete it
 // to a triangle of the wanted size (Rebay, *Efficient unstructured mesh generation by means of
 // Delaunay triangulation and Bowyer-Watson algorithm*, 1993; Üngör, *Off-centers*, 2004). So rows
-// of equilateral triangles grow from the boundary inwards. The metric says where points are wanted;
-// what is inside what, and which edges may be flipped, is decided by exact predicates.
-//
-// Field is a function that gives the metric at a point; Metric_2 operator()(Uv, std::size_t& hint)
-// gets as a hint what it left behind at a vertex close by.
+// of equilateral triangles grow from the boundary inwards.
 template <typename Traits, typename Field>
-class Metric_refiner {
-public:
-  using Boundary = Boundary_triangulation<Traits>;
-  using Triangulation = typename Boundary::Triangulation;
-  using Face_handle = typename Boundary::Face_handle;
-  using Vertex_handle = typename Boundary::Vertex_handle;
-  using FT = typename Traits::FT;
-  using Point_2 = typename Traits::Point_2;
+class Metric_refiner : private Metric_triangulation<Traits, Field> {
+  using Base = Metric_triangulation<Traits, Field>;
+  using Base::cdt;
+  using Base::centroid;
+  using Base::is_inside;
+  using Base::metric;
+  using Base::number_of_points;
+  using Base::position;
+  using Base::triangle;
+  using Base::walk;
+  using typename Base::Face_handle;
+  using typename Base::FT;
+  using typename Base::Point_2;
+  using typename Base::Triangulation;
+  using typename Base::Vertex_handle;
 
-  // New points are appended to `points`. The hints are those of the points that there are.
-  Metric_refiner(Boundary& boundary, std::vector<Point_2>& points, const Field& field,
-                 std::vector<std::size_t> hints)
-      : cdt_(boundary.triangulation()), points_(points), field_(field), hints_(std::move(hints)) {
-    for (std::size_t k = 0; k < points_.size(); ++k)
-      metrics_.push_back(field_(to_uv(points_[k]), hints_[k]));
-    make_delaunay();
-  }
+public:
+  using Base::Base;
+  using Base::smooth;
 
   // Adds points until all is as it should be, or there are `max_points`. Now and then it calls
   // progress(number of points), which may throw.
@@ -62,22 +59,22 @@ public:
   void refine(std::size_t max_points, const Progress& progress) {
     front_.clear();
     rest_.clear();
-    for (const Face_handle f : cdt_.finite_face_handles())
+    for (const Face_handle f : cdt().finite_face_handles())
       if (is_inside(f)) {
         f->info() = idle; // whoever asked for the triangles has numbered them
         enqueue_if_bad(f);
       }
     constexpr std::size_t block = 4096;
-    std::size_t next_report = points_.size() + block;
-    while (points_.size() < max_points && !(front_.empty() && rest_.empty())) {
+    std::size_t next_report = number_of_points() + block;
+    while (number_of_points() < max_points && !(front_.empty() && rest_.empty())) {
       std::deque<Face_handle>& queue = front_.empty() ? rest_ : front_;
       const Face_handle f = queue.front();
       queue.pop_front();
       f->info() = idle;
       if (is_bad(triangle(f)))
         refine(f);
-      if (points_.size() >= next_report) {
-        progress(points_.size());
+      if (number_of_points() >= next_report) {
+        progress(number_of_points());
         next_report += block;
       }
     }
@@ -94,7 +91,7 @@ public:
   void divide(const std::vector<std::size_t>& triangles) {
     std::vector<Face_handle> faces;
     std::size_t number = 0, next = 0;
-    for (const Face_handle f : cdt_.finite_face_handles()) {
+    for (const Face_handle f : cdt().finite_face_handles()) {
       if (!is_inside(f))
         continue;
       if (next < triangles.size() && number == triangles[next]) {
@@ -113,16 +110,6 @@ public:
     rest_.clear();
   }
 
-  // Moves every point inside towards the centroid of the triangles around it, if that makes their
-  // sharpest angle less sharp, and restores the Delaunay property; as many times as it is told.
-  void smooth(int sweeps) {
-    for (int k = 0; k < sweeps; ++k) {
-      for (const Vertex_handle v : cdt_.finite_vertex_handles())
-        smooth(v);
-      make_delaunay();
-    }
-  }
-
 private:
   enum State : std::size_t { idle, queued };
 
@@ -136,23 +123,6 @@ private:
   static constexpr double growth = 1.5;
   // The least distance of new points from sides and from other points, relative to the wanted one.
   static constexpr double margin = 0.45;
-
-  static bool is_inside(Face_handle f) { return Boundary::is_inside(f); }
-
-  void add_metric(const Uv& p, std::size_t hint) {
-    metrics_.push_back(field_(p, hint));
-    hints_.push_back(hint);
-  }
-
-  Uv position(Vertex_handle v) const { return to_uv(v->point()); }
-  const Metric_2& metric(Vertex_handle v) const { return metrics_[v->info()]; }
-  Metric_2 metric(Face_handle f) const {
-    return 1. / 3 * (metric(f->vertex(0)) + metric(f->vertex(1)) + metric(f->vertex(2)));
-  }
-  Metric_triangle triangle(Face_handle f) const {
-    return Metric_triangle({position(f->vertex(0)), position(f->vertex(1)), position(f->vertex(2))},
-                           metric(f));
-  }
 
   static bool is_bad(const Metric_triangle& t) {
     const double square = t.squared_circumradius();
@@ -244,10 +214,6 @@ private:
     return m.area_factor() * cross(b - a, p - a) / m.squared_norm(b - a);
   }
 
-  Uv centroid(Face_handle f) const {
-    return 1. / 3 * (position(f->vertex(0)) + position(f->vertex(1)) + position(f->vertex(2)));
-  }
-
   // Adds a point that face f has asked for, if there is room for it.
   bool add(Face_handle f, const Proposal& proposal) {
     if (!std::isfinite(proposal.point.x) || !std::isfinite(proposal.point.y))
@@ -256,24 +222,16 @@ private:
     return at != Face_handle() && !is_too_close(at, proposal) && insert(at, proposal.point);
   }
 
-  // The face that contains p, if it is seen from face f; no face, if a side is in between.
-  Face_handle walk(Face_handle f, const Point_2& p) const {
-    constexpr int max_steps = 200; // a straight line of faces, unless the triangulation is odd
-    for (int step = 0; step < max_steps; ++step) {
-      bool blocked = false, moved = false;
-      for (int i = 0; i < 3 && !moved; ++i)
-        if (orientation(f->vertex(Triangulation::ccw(i))->point(),
-                        f->vertex(Triangulation::cw(i))->point(), p) == RIGHT_TURN) {
-          blocked = blocked || f->is_constrained(i);
-          if (!f->is_constrained(i)) {
-            f = f->neighbor(i);
-            moved = true;
-          }
-        }
-      if (!moved)
-        return blocked ? Face_handle() : f;
-    }
-    return Face_handle();
+  // Adds a point to a face that contains it. Returns whether it did.
+  bool insert(Face_handle f, const Uv& p) {
+    const Vertex_handle v = Base::insert(f, p);
+    if (v == Vertex_handle())
+      return false;
+    auto face = cdt().incident_faces(v), done = face;
+    do
+      enqueue_if_bad(face);
+    while (++face != done);
+    return true;
   }
 
   // Whether a point would be too close to a side or to another point: to one of those that it will
@@ -319,150 +277,7 @@ private:
     return height < (std::max)(margin * (std::min)(1.0, length), least_height_ * length);
   }
 
-  bool insert(Face_handle f, Uv p) {
-    // A point on an edge is moved off it.
-    if (!is_strictly_inside(f, p))
-      p = p + 1e-3 * (centroid(f) - p);
-    if (!is_strictly_inside(f, p))
-      return false;
-    const Point_2 point(FT(p.x), FT(p.y));
-    const std::size_t hint = hints_[f->vertex(0)->info()];
-    const Vertex_handle v = cdt_.Triangulation::Ctr::insert(point, Triangulation::FACE, f, 0);
-    v->info() = points_.size();
-    points_.push_back(point);
-    add_metric(p, hint);
-    auto face = cdt_.incident_faces(v), done = face;
-    do
-      if (face != f) // f has become one of the three; the others are new
-        face->info() = idle;
-    while (++face != done);
-    flip_around(v);
-    face = done = cdt_.incident_faces(v);
-    do
-      enqueue_if_bad(face);
-    while (++face != done);
-    return true;
-  }
-
-  bool is_strictly_inside(Face_handle f, const Uv& p) const {
-    const Point_2 point(FT(p.x), FT(p.y));
-    for (int i = 0; i < 3; ++i)
-      if (orientation(f->vertex(Triangulation::ccw(i))->point(),
-                      f->vertex(Triangulation::cw(i))->point(), point) != LEFT_TURN)
-        return false;
-    return true;
-  }
-
-  // ------------------------------------------------------------------------------------- flips
-
-  // Whether the edge of f opposite to its vertex i ought to be flipped, and can be.
-  bool wants_flip(Face_handle f, int i) const {
-    if (f->is_constrained(i))
-      return false;
-    const Face_handle g = f->neighbor(i);
-    const Vertex_handle a = f->vertex(Triangulation::ccw(i)), c = f->vertex(Triangulation::cw(i)),
-                        v = f->vertex(i), w = g->vertex(cdt_.mirror_index(f, i));
-    const Metric_2 m = 0.25 * (metric(a) + metric(c) + metric(v) + metric(w));
-    return prefers_other_diagonal(position(a), position(w), position(c), position(v), m) &&
-           orientation(v->point(), a->point(), w->point()) == LEFT_TURN &&
-           orientation(v->point(), w->point(), c->point()) == LEFT_TURN;
-  }
-
-  // Restores the Delaunay property around a new vertex. Every flip adds an edge to it, so they end.
-  void flip_around(Vertex_handle v) {
-    boost::container::small_vector<Face_handle, 16> stack;
-    auto face = cdt_.incident_faces(v), done = face;
-    do
-      stack.push_back(face);
-    while (++face != done);
-    while (!stack.empty()) {
-      Face_handle f = stack.back();
-      stack.pop_back();
-      const int i = f->index(v);
-      if (!wants_flip(f, i))
-        continue;
-      const Face_handle g = f->neighbor(i);
-      cdt_.flip(f, i);
-      stack.push_back(f);
-      stack.push_back(g);
-    }
-  }
-
-  // Restores the Delaunay property everywhere. As the metric is not the same everywhere, flips
-  // could go round in circles; so their number is limited.
-  void make_delaunay() {
-    std::vector<Face_handle> stack;
-    for (const Face_handle f : cdt_.finite_face_handles())
-      if (is_inside(f))
-        stack.push_back(f);
-    std::size_t budget = 20 * stack.size();
-    while (!stack.empty() && budget > 0) {
-      Face_handle f = stack.back();
-      stack.pop_back();
-      for (int i = 0; i < 3; ++i)
-        if (wants_flip(f, i)) {
-          const Face_handle g = f->neighbor(i);
-          cdt_.flip(f, i);
-          stack.push_back(g);
-          stack.push_back(f);
-          --budget;
-          break;
-        }
-    }
-  }
-
-  // --------------------------------------------------------------------------------- smoothing
-
-  void smooth(Vertex_handle v) {
-    if (v->info() < number_of_boundary_points_)
-      return;
-    Uv sum{0, 0};
-    double weight = 0;
-    auto face = cdt_.incident_faces(v), done = face;
-    do {
-      const Metric_triangle t = triangle(face);
-      sum = sum + t.area() * centroid(face);
-      weight += t.area();
-    } while (++face != done);
-    const Uv target = 1 / weight * sum;
-    const double before = worst_quality(v);
-    const Point_2 old = v->point();
-    v->set_point(Point_2(FT(target.x), FT(target.y)));
-    if (is_star_valid(v) && worst_quality(v) > before)
-      points_[v->info()] = v->point();
-    else
-      v->set_point(old);
-  }
-
-  bool is_star_valid(Vertex_handle v) const {
-    auto face = cdt_.incident_faces(v), done = face;
-    do
-      if (orientation(face->vertex(0)->point(), face->vertex(1)->point(),
-                      face->vertex(2)->point()) != LEFT_TURN)
-        return false;
-    while (++face != done);
-    return true;
-  }
-
-  // The smallest ratio of shortest edge and circumradius, which is a matter of the sharpest angle.
-  double worst_quality(Vertex_handle v) const {
-    double worst = std::numeric_limits<double>::infinity();
-    auto face = cdt_.incident_faces(v), done = face;
-    do {
-      const Metric_triangle t = triangle(face);
-      worst = (std::min)(worst, t.squared_length(t.shortest_edge()) / t.squared_circumradius());
-    } while (++face != done);
-    return worst;
-  }
-
-  Triangulation& cdt_;
-  std::vector<Point_2>& points_;
-  const Field& field_;
-  std::size_t number_of_boundary_points_ = points_.size();
-  double least_height_ = 0;
-  // By vertex: the metric, and where the field was last asked.
-  std::vector<Metric_2> metrics_;
-  std::vector<std::size_t> hints_;
+  double least_height_ = 0;              // of triangles on sides, relative to the length of these
   std::deque<Face_handle> front_, rest_; // bad triangles; those with edges of the right size first
 };
 

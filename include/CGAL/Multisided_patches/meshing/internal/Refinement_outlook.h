@@ -37,7 +37,7 @@ public:
 
 private:
   // Small features show only when the mesh has become fine, and then ask for more triangles.
-  static constexpr double max_growth = 2, slack = 1000;
+  static constexpr double max_growth = 4, slack = 2000;
 
   double least_needed_ = std::numeric_limits<double>::infinity();
   bool is_hopeless_ = false;

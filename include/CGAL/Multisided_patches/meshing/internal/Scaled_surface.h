@@ -46,7 +46,9 @@ public:
     Vec3 low{0, 0, 0}, high{0, 0, 0};
     for (std::size_t i = 0; i < domain().size(); ++i)
       for (const double s : even_parameters(segments)) {
-        const Vec3 p = position(domain().point_on_side(i, FT(s)), Location::on_side(i, FT(s)));
+        const Point_2 uv = domain().point_on_side(i, FT(s));
+        const Vec3 p = position(uv, Location::on_side(i, FT(s)));
+        check_finite(p, uv);
         for (int c = 0; c < 3; ++c) {
           low[c] = (std::min)(low[c], p[c]);
           high[c] = (std::max)(high[c], p[c]);
@@ -62,9 +64,17 @@ public:
   // The length that counts as 1 (model units).
   double unit() const { return unit_; }
 
+  // Not checked for being finite: of many points that are evaluated at once, it is always to be the
+  // first that is complained about.
   Vec3 position(const Point_2& uv, const Location& location) const {
-    return scaled(patch_.point(uv, location), uv);
+    const Vec3 v = to_vec3(patch_.point(uv, location) - origin_);
+    return {v[0] / unit_, v[1] / unit_, v[2] / unit_};
   }
+  static void check_finite(const Vec3& p, const Point_2& uv) {
+    if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
+      throw Numerical_error("the surface is not finite at " + text_of_parameters(uv));
+  }
+
   // Inside the domain.
   Vec3 position(const Uv& uv) const { return position(to_point(uv), Location::interior()); }
 
@@ -75,14 +85,6 @@ public:
 
 private:
   static Point_2 to_point(const Uv& uv) { return Point_2(FT(uv.x), FT(uv.y)); }
-
-  Vec3 scaled(const Point_3& p, const Point_2& uv) const {
-    const Vec3 v = to_vec3(p - origin_);
-    const Vec3 result{v[0] / unit_, v[1] / unit_, v[2] / unit_};
-    if (!std::isfinite(result[0]) || !std::isfinite(result[1]) || !std::isfinite(result[2]))
-      throw Numerical_error("the surface is not finite at " + text_of_parameters(uv));
-    return result;
-  }
 
   const Patch& patch_;
   Point_3 origin_;

@@ -27,7 +27,6 @@
 #include <cstddef>
 #include <limits>
 #include <numeric>
-#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -67,21 +66,18 @@ public:
     return mesher.finish();
   }
 
-  // No deviation larger than the density says, and edges no longer, if it says so. Once it has
-  // turned out that this is impossible whatever the sides, the same exception is thrown again.
+  // No deviation larger than the density says, and edges no longer, if it says so.
   Mesh with_deviations(const Side_parameters& sides, const Mesh_density& density) {
-    if (impossible_)
-      throw *impossible_;
     const double unit = surface_.unit();
-    const Meter meter(surface_, reserve * density.max_chordal_deviation().value_or(infinity) / unit,
-                      reserve * density.max_normal_deviation().value_or(infinity));
+    const Meter meter(surface_, density.max_chordal_deviation().value_or(infinity) / unit,
+                      density.max_normal_deviation().value_or(infinity), reserve);
     const double longest =
         (std::min)(max_edge_length, density.target_edge_length().value_or(infinity) / unit);
-    constexpr int max_rounds = 12;
+    constexpr int max_rounds = 8;
     Surface_metric metric = coarse_metric_;
     std::vector<std::size_t> hints = coarse_hints_;
     Refinement_outlook outlook;
-    const std::vector<double> coarse_excess = measure(meter, coarse_);
+    const std::vector<double> coarse_excess = measure(meter, coarse_, Meter::few_samples);
     check_count(coarse_excess);
     metric.set_edge_lengths(edge_lengths_for_excess(metric, coarse_excess, longest));
     for (int round = 1;; ++round) {
@@ -93,16 +89,12 @@ public:
       sample(mesher, sampled);
       const std::vector<double> excess = measure(meter, sampled);
       outlook.update(sampled.triangles.size(), excess);
-      if (outlook.is_hopeless()) {
-        accept_or_throw(mesher, meter, sampled);
-        return mesher.finish();
-      }
       Surface_metric next(sampled);
       next.set_edge_lengths(edge_lengths_for_excess(next, excess, longest));
-      if (round == max_rounds ||
+      if (round == max_rounds || outlook.is_hopeless() ||
           (do_few_exceed(excess) && expected_triangles(next, sides) >=
                                         0.8 * static_cast<double>(sampled.triangles.size()))) {
-        refine_where_exceeded(mesher, meter, sampled, excess, outlook);
+        refine_where_exceeded(mesher, meter, sampled, excess);
         return mesher.finish();
       }
       hints = vertex_hints(next, sides);
@@ -143,8 +135,14 @@ private:
 
   void make_coarse_mesh() {
     constexpr double triangles = 3000;
+    // In a very thin domain there would be too many samples on the sides.
+    constexpr double max_samples = 3000;
+    double perimeter = 0;
+    for (std::size_t i = 0; i < domain().size(); ++i)
+      perimeter += domain().side_length(i);
+    const double area = (std::max)(0.0, CGAL::to_double(domain().area()));
     const double spacing =
-        std::sqrt(CGAL::to_double(domain().area()) / triangles * 4 / std::sqrt(3.0));
+        (std::max)(std::sqrt(area / triangles * 4 / std::sqrt(3.0)), perimeter / max_samples);
     Side_parameters sides;
     for (std::size_t i = 0; i < domain().size(); ++i)
       sides.push_back(even_parameters(
@@ -226,28 +224,33 @@ private:
     in_blocks(n - old, [&](std::size_t k) {
       sampled.positions[old + k] = surface_.position(mesh.points[old + k], mesh.locations[old + k]);
     });
+    for (std::size_t k = old; k < n; ++k)
+      surface_.check_finite(sampled.positions[k], mesh.points[k]);
     sampled.triangles = mesher.triangles();
   }
 
   // The excess of each of some triangles, given by their numbers.
   std::vector<double> measure(const Meter& meter, const Sampled_mesh& mesh,
-                              const std::vector<std::size_t>& triangles) {
+                              const std::vector<std::size_t>& triangles,
+                              std::size_t samples = Meter::all_samples) {
     std::vector<double> excess(triangles.size());
     in_blocks(triangles.size(), [&](std::size_t k) {
-      const double e = meter.excess(meter(mesh, mesh.triangles[triangles[k]]));
+      const double e = meter.excess(meter(mesh, mesh.triangles[triangles[k]], samples));
       excess[k] = std::isnan(e) ? infinity : e;
     });
     return excess;
   }
-  std::vector<double> measure(const Meter& meter, const Sampled_mesh& mesh) {
+  std::vector<double> measure(const Meter& meter, const Sampled_mesh& mesh,
+                              std::size_t samples = Meter::all_samples) {
     std::vector<std::size_t> all(mesh.triangles.size());
     std::iota(all.begin(), all.end(), std::size_t(0));
-    return measure(meter, mesh, all);
+    return measure(meter, mesh, all, samples);
   }
 
   // Adds points where triangles exceed the bounds, until none does.
   void refine_where_exceeded(Mesher& mesher, const Meter& meter, Sampled_mesh& sampled,
-                             const std::vector<double>& all_excess, Refinement_outlook& outlook) {
+                             const std::vector<double>& all_excess) {
+    Refinement_outlook outlook;
     constexpr int max_rounds = 40;
     std::vector<std::size_t> failing;
     for (std::size_t t = 0; t < all_excess.size(); ++t)
@@ -255,8 +258,8 @@ private:
         failing.push_back(t);
     double height = least_height_on_sides;
     for (int round = 0; !failing.empty(); ++round) {
-      if (round == max_rounds || outlook.is_hopeless())
-        return accept_or_throw(mesher, meter, sampled);
+      if (round == max_rounds || outlook.is_hopeless() || outlook.is_hopeless())
+        return accept_or_throw(meter, sampled);
       const std::size_t old = sampled.uv.size();
       const std::set<Corners> corners = corners_of(sampled, failing);
       mesher.divide(failing);
@@ -265,7 +268,7 @@ private:
         constexpr double least_height = 0.02;
         height /= 2;
         if (height < least_height)
-          return accept_or_throw(mesher, meter, sampled);
+          return accept_or_throw(meter, sampled);
         mesher.keep_off_sides(height);
         continue;
       }
@@ -295,43 +298,43 @@ private:
     return corners;
   }
 
-  // Those that are new, because every new triangle has a new vertex, and those that were failing.
+  // Those that are new, because every new triangle has a new vertex, their neighbours, whose
+  // distances are measured from them, too, and those that were failing.
   static std::vector<std::size_t> changed_triangles(const Sampled_mesh& mesh,
                                                     std::size_t old_vertices,
                                                     const std::set<Corners>& failing) {
     std::vector<std::size_t> result;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-      const Corners corners = corners_of(mesh.triangles[t]);
-      if (corners.back() >= old_vertices || failing.count(corners) > 0)
+      const auto is_new = [&](std::size_t n) {
+        return n != Linked_triangle::none && corners_of(mesh.triangles[n]).back() >= old_vertices;
+      };
+      const auto& neighbors = mesh.triangles[t].neighbors;
+      if (is_new(t) || failing.count(corners_of(mesh.triangles[t])) > 0 ||
+          std::any_of(neighbors.begin(), neighbors.end(), is_new))
         result.push_back(t);
     }
     return result;
   }
 
-  // Ends the refinement of a mesh that does not get any better: it may still do without the
+  // Ends the refinement of a mesh that does not get better: it may still do without the
   // reserve.
-  void accept_or_throw(const Mesher& mesher, const Meter& meter, const Sampled_mesh& mesh) {
+  void accept_or_throw(const Meter& meter, const Sampled_mesh& mesh) {
     const std::vector<double> excess = measure(meter, mesh);
     const auto worst =
         static_cast<std::size_t>(std::max_element(excess.begin(), excess.end()) - excess.begin());
-    if (excess[worst] <= 1 / std::sqrt(reserve))
-      return;
     const Linked_triangle& t = mesh.triangles[worst];
     const auto deviation = meter(mesh, t);
+    if (meter.is_within_bounds(deviation))
+      return;
     const std::string distance = to_short_text(deviation.chordal * surface_.unit()),
                       angle = to_short_text(deviation.normal * 180 / pi) + " degrees";
-    const Accuracy_error error(
-        "however fine the triangles are, the mesh deviates from the surface by " +
-            (deviation.normal == 0    ? distance
-             : deviation.chordal == 0 ? angle
-                                      : distance + " and " + angle) +
-            " at (u,v) = (" + to_short_text(mesh.uv[t.vertices[0]].x) + ", " +
-            to_short_text(mesh.uv[t.vertices[0]].y) + ")",
-        excess[worst]);
-    const std::size_t n = mesher.mesh().number_of_boundary_points;
-    if (std::none_of(t.vertices.begin(), t.vertices.end(), [&](std::size_t v) { return v < n; }))
-      impossible_ = error;
-    throw error;
+    throw Accuracy_error("however fine the triangles are, the mesh deviates from the surface by " +
+                             (deviation.normal == 0    ? distance
+                              : deviation.chordal == 0 ? angle
+                                                       : distance + " and " + angle) +
+                             " at (u,v) = (" + to_short_text(mesh.uv[t.vertices[0]].x) + ", " +
+                             to_short_text(mesh.uv[t.vertices[0]].y) + ")",
+                         excess[worst]);
   }
 
   // Calls f(k) for k < n, and tells the visitor in between.
@@ -350,7 +353,6 @@ private:
   Sampled_mesh coarse_;
   Surface_metric coarse_metric_;
   std::vector<std::size_t> coarse_hints_;
-  std::optional<Accuracy_error> impossible_; // why no triangles keep to the deviations
 };
 
 } // namespace internal

@@ -86,9 +86,10 @@ public:
   // The metric at a point of the domain. The search starts at triangle `hint`, which is then the
   // one where it ended: the one with the point, or the last one before the boundary.
   Metric_2 operator()(const Uv& p, std::size_t& hint) const {
-    constexpr int max_steps = 1000;
-    for (int step = 0; step < max_steps; ++step) {
-      const std::size_t next = neighbor_towards(hint, p);
+    // The triangles need not be Delaunay, so that a walk that always looks at their edges in the
+    // same order might go round in circles.
+    for (std::size_t step = 0; step < triangles_.size(); ++step) {
+      const std::size_t next = neighbor_towards(hint, p, step % 3);
       if (next == Linked_triangle::none)
         break;
       hint = next;
@@ -141,9 +142,10 @@ private:
   }
 
   // The neighbour across the edge beyond which p lies, if there is one.
-  std::size_t neighbor_towards(std::size_t t, const Uv& p) const {
+  std::size_t neighbor_towards(std::size_t t, const Uv& p, std::size_t first_edge) const {
     const Linked_triangle& triangle = triangles_[t];
-    for (int i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t i = (first_edge + k) % 3;
       const Uv &a = uv_[triangle.vertices[(i + 1) % 3]], &b = uv_[triangle.vertices[(i + 2) % 3]];
       if (cross(b - a, p - a) < 0 && triangle.neighbors[i] != Linked_triangle::none)
         return triangle.neighbors[i];

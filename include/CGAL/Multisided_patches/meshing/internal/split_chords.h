@@ -16,6 +16,7 @@
 #include <array>
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -97,6 +98,31 @@ void split_chords(std::vector<Domain_mesh_2<Traits>>& meshes,
     --uses[ends];
     split_chord(meshes[chord.patch], chord);
   }
+}
+
+// The first patch, if any, with a triangle that does not fit: because two of its corners are the
+// same common vertex, or another triangle is on the same side of one of its edges.
+template <typename Traits>
+std::optional<std::size_t> find_torn_patch(const std::vector<Domain_mesh_2<Traits>>& meshes,
+                                           const std::vector<std::vector<std::size_t>>& groups) {
+  std::set<std::array<std::size_t, 2>> edges;
+  std::size_t first_inside = 0; // what vertices inside are called, after all common ones
+  for (const auto& group : groups)
+    first_inside += group.size();
+  for (std::size_t k = 0; k < meshes.size(); ++k) {
+    const std::size_t n = meshes[k].number_of_boundary_points;
+    const auto name = [&](std::size_t v) { return v < n ? groups[k][v] : first_inside + v - n; };
+    for (const auto& t : meshes[k].triangles)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t a = t[i], b = t[(i + 1) % 3];
+        // Edges inside are the patch's own.
+        if ((std::min)(a, b) < n &&
+            (name(a) == name(b) || !edges.insert({name(a), name(b)}).second))
+          return k;
+      }
+    first_inside += meshes[k].points.size() - n;
+  }
+  return std::nullopt;
 }
 
 } // namespace internal
