@@ -6,6 +6,8 @@
 #ifndef CGAL_MULTISIDED_PATCHES_MESHING_INTERNAL_METRIC_2_H
 #define CGAL_MULTISIDED_PATCHES_MESHING_INTERNAL_METRIC_2_H
 
+#include <CGAL/number_utils.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
