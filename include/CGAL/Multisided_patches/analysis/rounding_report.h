@@ -114,7 +114,7 @@ struct Patch_stages {
     const Domain_location<Real> location{static_cast<Kind>(at.kind), at.index, Real(at.s)};
     patch.coordinates().template evaluate<2>(Real(sample.u), Real(sample.v), location,
                                              lambda.data());
-    compute_side_parameters(patch.domain(), lambda.data(), Real(patch.basis().parameter_dilation()),
+    compute_side_parameters(patch.domain(), lambda.data(), patch.basis().parameter_options(),
                             parameters);
     patch.basis().evaluate(patch.domain(), lambda.data(), weights.data());
     surface = patch.combine(lambda.data());

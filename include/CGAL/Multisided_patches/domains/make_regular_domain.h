@@ -22,10 +22,11 @@ namespace Multisided_patches {
 
 namespace internal {
 
-inline Polygon regular_polygon(std::size_t n) {
+// `start` is the angle at which vertex 0 is seen from the centre.
+inline Polygon regular_polygon(std::size_t n, double start = 0) {
   Polygon polygon;
   for (std::size_t i = 0; i < n; ++i) {
-    const double angle = 2 * pi * static_cast<double>(i) / static_cast<double>(n);
+    const double angle = start + 2 * pi * static_cast<double>(i) / static_cast<double>(n);
     polygon.push_back({std::cos(angle), std::sin(angle)});
   }
   return polygon;
@@ -92,6 +93,28 @@ template <typename Traits>
 Polygonal_domain_2<Traits> make_regular_domain(const Ribbon_loop_3<Traits>& loop) {
   return Polygonal_domain_2<Traits>(
       internal::to_unit_box<Traits>(internal::dented_regular_polygon(loop)));
+}
+
+/*!
+ * makes a regular polygon whose side 0 is at the bottom; with 4 sides it is exactly the unit
+ * square.
+ *
+ * \param n the number of sides
+ *
+ * \return the domain, in the unit square
+ * \throws Input_error if `n` is less than 3
+ */
+template <typename Traits>
+Polygonal_domain_2<Traits> make_regular_domain(std::size_t n) {
+  if (n < 3)
+    throw Input_error("a polygon needs at least 3 sides, not " + std::to_string(n));
+  if (n == 4) { // where sines and cosines are rounded
+    using Point_2 = typename Traits::Point_2;
+    return Polygonal_domain_2<Traits>({Point_2(0, 0), Point_2(1, 0), Point_2(1, 1), Point_2(0, 1)});
+  }
+  constexpr double quarter = internal::pi / 2;
+  return Polygonal_domain_2<Traits>(internal::to_unit_box<Traits>(
+      internal::regular_polygon(n, -quarter - internal::pi / static_cast<double>(n))));
 }
 
 } // namespace Multisided_patches

@@ -6,6 +6,8 @@
 #ifndef CGAL_MULTISIDED_PATCHES_BARYCENTRIC_SIDE_PARAMETERS_H
 #define CGAL_MULTISIDED_PATCHES_BARYCENTRIC_SIDE_PARAMETERS_H
 
+#include <CGAL/Multisided_patches/ribbons/Corner_type.h>
+
 #include <boost/container/small_vector.hpp>
 
 #include <cstddef>
@@ -23,7 +25,36 @@ struct Side_parameter {
   T s, one_minus_s, h, one_minus_h;
 };
 
+//! What goes into the side parameters beyond the coordinates; the defaults give the plain ones.
+struct Side_parameter_options {
+  //! δ in h_i (1 - δ λ_{i-1} λ_{i+2})
+  double dilation = 0;
+  //! by what the coordinates of reflex corners are multiplied for the distance parameters h;
+  //! positive
+  double reflex_weight = 1;
+
+  Side_parameter_options(double delta = 0, double weight = 1)
+      : dilation(delta), reflex_weight(weight) {}
+};
+
 namespace internal {
+
+// The coordinates with those of reflex corners multiplied by `weight`, divided by their sum.
+template <typename T, typename Domain, typename Output>
+void weigh_reflex_corners(const Domain& domain, const T* lambda, const typename T::FT& weight,
+                          Output& weighted) {
+  using FT = typename T::FT;
+  T sum;
+  for (std::size_t i = 0; i < domain.size(); ++i) {
+    weighted[i] = lambda[i];
+    if (domain.corner_type(i) == Corner_type::reflex)
+      weighted[i] *= weight;
+    sum += weighted[i];
+  }
+  const T inverse = T(FT(1)) / sum;
+  for (std::size_t i = 0; i < domain.size(); ++i)
+    weighted[i] *= inverse;
+}
 
 // h_i before dilation: the sum of all λ but λ_i and λ_{i+1}. Unlike 1 - λ_i - λ_{i+1} this is
 // exactly 0 on the side, and does not cancel near it. O(n) for all sides.
@@ -77,6 +108,24 @@ T limit_of_s(const T& next, const T& sum) {
   return s;
 }
 
+// s and 1 - s of a side from the coordinates of its two ends.
+template <typename T>
+void set_s(const T& start, const T& end, Side_parameter<T>& parameter) {
+  using FT = typename T::FT;
+  const T sum = start + end;
+  if (sum.value() == FT(0)) {
+    parameter.s = limit_of_s(end, sum);
+    parameter.one_minus_s = T(FT(1)) - parameter.s;
+  } else if (end.value() < start.value()) {
+    // The larger quotient is taken from the smaller one, as its derivatives would cancel.
+    parameter.s = end / sum;
+    parameter.one_minus_s = T(FT(1)) - parameter.s;
+  } else {
+    parameter.one_minus_s = start / sum;
+    parameter.s = T(FT(1)) - parameter.one_minus_s;
+  }
+}
+
 } // namespace internal
 
 /*!
@@ -87,40 +136,42 @@ T limit_of_s(const T& next, const T& sum) {
  * Of its derivatives there only those of first order are computed, and only with second-order jets:
  * all others are multiplied by 0 wherever they occur.
  *
+ * If reflex corners have a weight, h_i is computed from coordinates that are multiplied by it there
+ * and divided by their sum: with a weight above 1 the sides at reflex corners reach further into
+ * the surface. The side parameters s_i are those without weights, so that the sides are run at the
+ * same pace as without.
+ *
  * \tparam T the number type of the coordinates: a `Jet_2`, so that derivatives come along
  *
  * \param domain the domain of the coordinates, with n vertices
  * \param lambda n coordinates
- * \param dilation δ; 0 for the plain parameters. It has no effect on loops of 3 or 4 sides
+ * \param options δ and the weight of reflex corners; the first has no effect on loops of 3 or 4
+ * sides
  * \param parameters an indexable range of n elements of type `Side_parameter<T>` that is
  * overwritten
  *
  * Complexity: O(n).
  */
 template <typename T, typename Domain, typename Output>
-void compute_side_parameters(const Domain& domain, const T* lambda, const typename T::FT& dilation,
-                             Output& parameters) {
+void compute_side_parameters(const Domain& domain, const T* lambda,
+                             const Side_parameter_options& options, Output& parameters) {
   using FT = typename T::FT;
-  internal::sums_of_others(domain, lambda, parameters);
+  boost::container::small_vector<T, 16> weighted;
+  const T* coordinates = lambda; // for h
+  if (options.reflex_weight != 1) {
+    weighted.resize(domain.size());
+    internal::weigh_reflex_corners(domain, lambda, FT(options.reflex_weight), weighted);
+    coordinates = weighted.data();
+  }
+  internal::sums_of_others(domain, coordinates, parameters);
   for (std::size_t i = 0; i < domain.size(); ++i) {
     const std::size_t next = domain.next(i), prev = domain.prev(i), after = domain.next(next);
     Side_parameter<T>& parameter = parameters[i];
-    const T sum = lambda[i] + lambda[next];
-    if (sum.value() == FT(0)) {
-      parameter.s = internal::limit_of_s(lambda[next], sum);
-      parameter.one_minus_s = T(FT(1)) - parameter.s;
-    } else if (lambda[next].value() < lambda[i].value()) {
-      // The larger quotient is taken from the smaller one, as its derivatives would cancel.
-      parameter.s = lambda[next] / sum;
-      parameter.one_minus_s = T(FT(1)) - parameter.s;
-    } else {
-      parameter.one_minus_s = lambda[i] / sum;
-      parameter.s = T(FT(1)) - parameter.one_minus_s;
-    }
-    parameter.one_minus_h = sum;
+    internal::set_s(lambda[i], lambda[next], parameter);
+    parameter.one_minus_h = coordinates[i] + coordinates[next];
     // On loops of 3 or 4 sides λ_{i-1} and λ_{i+2} are not 0 on all other sides, as h needs.
-    if (dilation != FT(0) && after != prev && domain.next(after) != prev) {
-      const T reduction = lambda[prev] * lambda[after] * dilation;
+    if (options.dilation != 0 && after != prev && domain.next(after) != prev) {
+      const T reduction = coordinates[prev] * coordinates[after] * FT(options.dilation);
       parameter.one_minus_h += parameter.h * reduction;
       parameter.h *= T(FT(1)) - reduction;
     }

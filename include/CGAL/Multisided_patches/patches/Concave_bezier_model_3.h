@@ -34,9 +34,9 @@ struct Concave_bezier_model_3 {
   using Point_3 = typename Traits::Point_3;
   using Loop = Ribbon_loop_3<Traits>;
 
-  //! An extra control point at a corner, as `.cgb` files can give; kept, but not used by the patch.
+  //! An extra control point at a corner, usually a reflex one, see `Concave_bezier_basis`.
   struct Corner_control_point {
-    std::size_t index; //!< as in the file: the corner where side `index` ends
+    std::size_t index; //!< that of the side that ends at the corner
     Point_3 point;
   };
 
@@ -49,7 +49,27 @@ struct Concave_bezier_model_3 {
   Domain_options domain;
   //! δ in h_i = (1 - λ_i - λ_{i+1}) (1 - δ λ_{i-1} λ_{i+2}); 0 is the plain side parameter
   double parameter_dilation = 0;
+  //! by what the coordinates of reflex corners are multiplied in h_i, see
+  //! `compute_side_parameters()`; positive
+  double reflex_weight = 1;
   std::vector<Corner_control_point> corner_control_points;
+
+  /*!
+   * an extra control point for each reflex corner: where the first control points inwards from the
+   * corner, of the two ribbons that meet there, span a parallelogram with it (model units). There
+   * the ribbons leave a gap between them. Corners at which a ribbon has one layer only get none.
+   */
+  std::vector<Corner_control_point> default_corner_control_points() const {
+    std::vector<Corner_control_point> points;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const auto &in = loop[i], &out = loop[loop.next(i)];
+      if (loop.corner_type(loop.next(i)) == Corner_type::reflex && in.layers() > 1 &&
+          out.layers() > 1)
+        points.push_back({i, in.control_point(in.degree(), 1) +
+                                 (out.control_point(0, 1) - out.control_point(0, 0))});
+    }
+    return points;
+  }
 
   //! the centroid of the innermost rows of all ribbons (model units)
   Point_3 default_central_point() const {

@@ -9,10 +9,13 @@
 #include <CGAL/Multisided_patches/bases/Concave_bezier_basis.h>
 #include <CGAL/Multisided_patches/coordinates/Harmonic_coordinates_2.h>
 #include <CGAL/Multisided_patches/domains/make_domain.h>
+#include <CGAL/Multisided_patches/errors.h>
 #include <CGAL/Multisided_patches/patches/Concave_bezier_model_3.h>
 #include <CGAL/Multisided_patches/patches/internal/Control_net_patch.h>
 
+#include <cmath>
 #include <cstddef>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -72,13 +75,26 @@ private:
     std::vector<std::pair<std::size_t, std::size_t>> degrees_and_layers;
     for (const auto& ribbon : model.loop.ribbons())
       degrees_and_layers.emplace_back(ribbon.degree(), ribbon.layers());
-    return Concave_bezier_basis(degrees_and_layers, model.central_weight, model.parameter_dilation);
+    if (!(model.reflex_weight > 0 && std::isfinite(model.reflex_weight)))
+      throw Input_error("the weight of reflex corners has to be positive");
+    std::vector<std::size_t> corners;
+    for (const auto& corner : model.corner_control_points) {
+      if (corner.index >= model.loop.size())
+        throw Input_error("there is no side " + std::to_string(corner.index) +
+                          " for an extra corner control point");
+      corners.push_back(corner.index);
+    }
+    return Concave_bezier_basis(degrees_and_layers, model.central_weight,
+                                {model.parameter_dilation, model.reflex_weight},
+                                std::move(corners));
   }
 
   static std::vector<Point_3> control_points(const Model& model) {
     std::vector<Point_3> points;
     for (const auto& ribbon : model.loop.ribbons())
       points.insert(points.end(), ribbon.control_points().begin(), ribbon.control_points().end());
+    for (const auto& corner : model.corner_control_points)
+      points.push_back(corner.point);
     points.push_back(model.central_point.value_or(model.default_central_point()));
     return points;
   }

@@ -129,7 +129,7 @@ protected:
       return Coordinates(domain);
   }
 
-  // The report on a domain that the caller of a constructor has chosen.
+  // The report on a domain that did not come from `make_domain()`.
   static Domain_report report_on(const Domain& domain) {
     Domain_report report;
     report.clearance = domain.clearance();
