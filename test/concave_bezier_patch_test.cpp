@@ -321,7 +321,7 @@ TEST_CASE("Coordinates on a domain that does not fit the loop are refused") {
   const Loop loop = lifted_loop(l_shape(), bowl);
   const MP::Mean_value_coordinates_2<Kernel> square{Domain({{0, 0}, {1, 0}, {1, 1}, {0, 1}})};
   using Mean_value_patch = MP::Concave_bezier_patch_3<Kernel, MP::Mean_value_coordinates_2<Kernel>>;
-  CHECK_THROWS_WITH(Mean_value_patch(loop, square), Catch::Matchers::Contains("6 ribbons"));
+  CHECK_THROWS_WITH(Mean_value_patch(loop, square), Catch::Matchers::Contains("6 sides"));
   CHECK_THROWS_AS(Patch(loop)(Point_2(-1, -1)), MP::Outside_domain_error);
 }
 

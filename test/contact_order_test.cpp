@@ -210,7 +210,7 @@ Series distance_to_ribbon(const Loop& loop, std::size_t i, Central_weight centra
         difference += weights.weight(a, j, k) * Series(loop[a].control_point(j, k).z());
 
   std::vector<MP::Side_parameter<Series>> parameters(loop.size());
-  MP::compute_side_parameters(domain, lambda.data(), FT(dilation), parameters);
+  MP::compute_side_parameters(domain, lambda.data(), dilation, parameters);
   const auto along = bernstein(loop[i].degree(), parameters[i].s);
   const auto across = bernstein(loop[i].cross_degree(), parameters[i].h);
   // Rows that the ribbon does not have would change terms of order layers() and higher only.
