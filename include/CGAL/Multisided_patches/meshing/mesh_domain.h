@@ -55,7 +55,7 @@ void find_share_of_turn(const Mesh_density& density, const Function& mesh) {
   for (double share = 1;; share /= 2)
     try {
       return mesh(share);
-    } catch (const Accuracy_error&) {
+    } catch (const Coarse_sides_error&) {
       if (!density.max_normal_deviation() || share <= least)
         throw;
     }

@@ -36,6 +36,12 @@ namespace CGAL {
 namespace Multisided_patches {
 namespace internal {
 
+// Only triangles on sides deviate too much: more samples on the sides may help.
+class Coarse_sides_error : public Accuracy_error {
+public:
+  using Accuracy_error::Accuracy_error;
+};
+
 // Meshes the domain of a patch so that its image on the surface is as fine as asked for.
 //
 // At first there is a coarse mesh, evenly spaced in the domain. It tells how lengths on the surface
@@ -251,6 +257,7 @@ private:
   void refine_where_exceeded(Mesher& mesher, const Meter& meter, Sampled_mesh& sampled,
                              const std::vector<double>& all_excess) {
     Refinement_outlook outlook;
+    outlook.update(sampled.triangles.size(), all_excess);
     constexpr int max_rounds = 40;
     std::vector<std::size_t> failing;
     for (std::size_t t = 0; t < all_excess.size(); ++t)
@@ -258,7 +265,7 @@ private:
         failing.push_back(t);
     double height = least_height_on_sides;
     for (int round = 0; !failing.empty(); ++round) {
-      if (round == max_rounds || outlook.is_hopeless() || outlook.is_hopeless())
+      if (round == max_rounds || outlook.is_hopeless() || outlook.is_stuck())
         return accept_or_throw(meter, sampled);
       const std::size_t old = sampled.uv.size();
       const std::set<Corners> corners = corners_of(sampled, failing);
@@ -328,13 +335,26 @@ private:
       return;
     const std::string distance = to_short_text(deviation.chordal * surface_.unit()),
                       angle = to_short_text(deviation.normal * 180 / pi) + " degrees";
-    throw Accuracy_error("however fine the triangles are, the mesh deviates from the surface by " +
-                             (deviation.normal == 0    ? distance
-                              : deviation.chordal == 0 ? angle
-                                                       : distance + " and " + angle) +
-                             " at (u,v) = (" + to_short_text(mesh.uv[t.vertices[0]].x) + ", " +
-                             to_short_text(mesh.uv[t.vertices[0]].y) + ")",
-                         excess[worst]);
+    const std::string message =
+        "however fine the triangles are, the mesh deviates from the surface by " +
+        (deviation.normal == 0    ? distance
+         : deviation.chordal == 0 ? angle
+                                  : distance + " and " + angle) +
+        " at (u,v) = (" + to_short_text(mesh.uv[t.vertices[0]].x) + ", " +
+        to_short_text(mesh.uv[t.vertices[0]].y) + ")";
+    if (fails_on_sides_only(mesh, excess))
+      throw Coarse_sides_error(message, excess[worst]);
+    throw Accuracy_error(message, excess[worst]);
+  }
+
+  static bool fails_on_sides_only(const Sampled_mesh& mesh, const std::vector<double>& excess) {
+    for (std::size_t t = 0; t < excess.size(); ++t) {
+      const auto& neighbors = mesh.triangles[t].neighbors;
+      if (exceeds(excess[t]) &&
+          std::find(neighbors.begin(), neighbors.end(), Linked_triangle::none) == neighbors.end())
+        return false;
+    }
+    return true;
   }
 
   // Calls f(k) for k < n, and tells the visitor in between.
