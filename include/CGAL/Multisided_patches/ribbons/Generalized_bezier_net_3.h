@@ -10,6 +10,7 @@
 #include <CGAL/Multisided_patches/internal/bernstein.h>
 #include <CGAL/Multisided_patches/ribbons/Bezier_ribbon_3.h>
 #include <CGAL/Multisided_patches/ribbons/Ribbon_loop_3.h>
+#include <CGAL/Multisided_patches/ribbons/internal/degree_change.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
@@ -130,7 +131,7 @@ public:
         for (std::size_t k = 0; k < layers(); ++k)
           column.push_back(control_point(i, j, k));
         if (degree_ == 2 * layers())
-          lower_cross_degree(column);
+          internal::lower_prefix(column, degree_);
         for (std::size_t k = 0; k < layers(); ++k)
           points[k * (degree_ + 1) + j] = column[k];
       }
@@ -144,16 +145,6 @@ private:
   std::size_t index_in_ring(std::size_t i, std::size_t j, std::size_t k) const {
     // The rings before have n (d - 2k') points each.
     return sides_ * k * (degree_ - k + 1) + i * (degree_ - 2 * k) + j - k;
-  }
-
-  // The first points of a Bézier curve of degree d - 1 with the same derivatives at its start as
-  // one of degree d that starts with these: those of which the other is the elevation.
-  void lower_cross_degree(std::vector<Point_3>& column) const {
-    const FT d(static_cast<int>(degree_));
-    for (std::size_t k = 1; k < column.size(); ++k) {
-      const FT share = FT(static_cast<int>(k)) / FT(d - FT(static_cast<int>(k)));
-      column[k] = column[k] + share * (column[k] - column[k - 1]);
-    }
   }
 
   std::size_t sides_, degree_;
