@@ -9,6 +9,7 @@
 #include <CGAL/Multisided_patches/errors.h>
 #include <CGAL/Multisided_patches/internal/bernstein.h>
 #include <CGAL/Multisided_patches/internal/gauss_legendre.h>
+#include <CGAL/Multisided_patches/ribbons/internal/degree_change.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
@@ -161,28 +162,76 @@ public:
     CGAL_precondition(degree >= degree_);
     if (runs_backwards())
       return reversed().elevated(degree).reversed();
-    std::vector<Point_3> points;
-    points.reserve((degree + 1) * layers_);
-    for (auto row = control_points_.begin(); row != control_points_.end(); row += degree_ + 1) {
-      const std::size_t first = points.size();
-      points.insert(points.end(), row, row + degree_ + 1);
+    return with_rows(degree, [&](std::vector<Point_3>& row) {
       for (std::size_t d = degree_; d < degree; ++d)
-        elevate_by_one(points, first);
+        internal::raise_curve(row);
+    });
+  }
+
+  /*!
+   * the ribbon with a lower degree along the side: the one of which this is the elevation, if there
+   * is one. Otherwise it is an approximation. Each step from a degree d to d - 1 keeps the end
+   * points of all rows, and their derivatives at both ends up to order ⌊d/2⌋ - 1; in exact
+   * arithmetic ribbons that agree at a corner so far still do.
+   *
+   * With inexact arithmetic the reversed ribbon gives the same control points, bit for bit.
+   *
+   * Complexity: the number of degrees times that of control points. \pre `1 <= degree <= degree()`
+   */
+  Bezier_ribbon_3 reduced(std::size_t degree) const {
+    CGAL_precondition(1 <= degree && degree <= degree_);
+    return with_rows(degree, [&](std::vector<Point_3>& row) {
+      for (std::size_t d = degree_; d > degree; --d)
+        internal::lower_curve(row);
+    });
+  }
+
+  /*!
+   * the ribbon with m layers instead of l, and so of degree 2m - 1 across the side.
+   *
+   * The boundary curve stays, and so do the derivatives across the side at h = 0, all along it, as
+   * far as both numbers of layers tell them: up to order min(l,m) - 1. If there are more layers
+   * than before, the derivatives of the orders l to m - 1 are zero, so that the cross-sections go
+   * on as the curves of lowest degree. Going to more layers and back changes nothing, but for
+   * rounding.
+   *
+   * \param layers m, at least 1
+   *
+   * \throws Input_error if there are more layers than a ribbon can have
+   *
+   * Complexity: for each column, cubic in the larger number of layers. \pre `layers >= 1`
+   */
+  Bezier_ribbon_3 with_layers(std::size_t layers) const {
+    CGAL_precondition(layers >= 1);
+    if (2 * layers > internal::max_bernstein_degree<FT>())
+      throw Input_error("a ribbon cannot have " + std::to_string(layers) + " layers, only up to " +
+                        std::to_string(internal::max_bernstein_degree<FT>() / 2));
+    std::vector<Point_3> points((degree_ + 1) * layers, ORIGIN);
+    for (std::size_t j = 0; j <= degree_; ++j) {
+      std::vector<Point_3> column;
+      for (std::size_t k = 0; k < (std::min)(layers, layers_); ++k)
+        column.push_back(control_point(j, k));
+      internal::change_prefix_degree(column, cross_degree(), 2 * layers - 1);
+      while (column.size() < layers)
+        internal::append_smoothly(column);
+      for (std::size_t k = 0; k < layers; ++k)
+        points[k * (degree_ + 1) + j] = column[k];
     }
-    return Bezier_ribbon_3(degree, layers_, std::move(points));
+    return Bezier_ribbon_3(degree_, layers, std::move(points));
   }
 
 private:
-  // Elevates the curve whose control points start at index `first` and are the last ones.
-  static void elevate_by_one(std::vector<Point_3>& points, std::size_t first) {
-    const std::size_t new_degree = points.size() - first;
-    points.push_back(points.back());
-    // Written as a step from one point towards the other, points that coincide stay as they are.
-    for (std::size_t j = new_degree - 1; j > 0; --j) {
-      const Point_3 &before = points[first + j - 1], &at = points[first + j];
-      const FT share = FT(static_cast<int>(j)) / FT(static_cast<int>(new_degree));
-      points[first + j] = at + share * (before - at);
+  // The ribbon of the given degree whose rows `change` makes from the rows of this one.
+  template <typename Change>
+  Bezier_ribbon_3 with_rows(std::size_t degree, const Change& change) const {
+    std::vector<Point_3> points;
+    points.reserve((degree + 1) * layers_);
+    for (auto row = control_points_.begin(); row != control_points_.end(); row += degree_ + 1) {
+      std::vector<Point_3> changed(row, row + degree_ + 1);
+      change(changed);
+      points.insert(points.end(), changed.begin(), changed.end());
     }
+    return Bezier_ribbon_3(degree, layers_, std::move(points));
   }
 
   static double length(const Vector_3& v) {

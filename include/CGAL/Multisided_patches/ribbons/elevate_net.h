@@ -1,0 +1,147 @@
+// Copyright (c) 2026 The CGAL Multisided Patches project.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_MULTISIDED_PATCHES_ELEVATE_NET_H
+#define CGAL_MULTISIDED_PATCHES_ELEVATE_NET_H
+
+#include <CGAL/Multisided_patches/ribbons/Generalized_bezier_net_3.h>
+#include <CGAL/Multisided_patches/ribbons/internal/degree_change.h>
+#include <CGAL/Multisided_patches/ribbons/internal/net_quads.h>
+
+#include <CGAL/assertions.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Multisided_patches {
+
+namespace internal {
+
+template <typename Traits>
+Generalized_bezier_net_3<Traits> elevated_by_one(const Generalized_bezier_net_3<Traits>& net) {
+  using Point_3 = typename Traits::Point_3;
+  const std::size_t d = net.degree() + 1;
+  const auto in_row = [&](std::size_t corner, std::size_t a, std::size_t b) -> Point_3 {
+    // In the middle of an even degree the two quads of a side meet.
+    const auto at = [&](std::size_t a_old) -> const Point_3& {
+      return 2 * a_old <= d - 1 ? quad_point(net, corner, a_old, b)
+                                : net.control_point(corner, a_old, b);
+    };
+    return a == 0 ? at(0) : step_towards(at(a), at(a - 1), a, d);
+  };
+  const auto point = [&](std::size_t corner, std::size_t a, std::size_t b) -> Point_3 {
+    const Point_3 at = in_row(corner, a, b);
+    return b == 0 ? at : step_towards(at, in_row(corner, a, b - 1), b, d);
+  };
+  return with_middle_point(net_from_quads<Traits>(net.size(), d, point, net.central_point()),
+                           middle_point(net));
+}
+
+template <typename Traits>
+Generalized_bezier_net_3<Traits> reduced_by_one(const Generalized_bezier_net_3<Traits>& net) {
+  using Point_3 = typename Traits::Point_3;
+  const std::size_t n = net.size(), old_degree = net.degree(), d = old_degree - 1;
+  const std::size_t width = d / 2 + 1; // of a quad
+  // Quad i as quads[i][b][a], lowered along one direction and then along the other.
+  std::vector<std::vector<std::vector<Point_3>>> quads(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    std::vector<std::vector<Point_3>>& rows = quads[i];
+    for (std::size_t b = 0; b < width; ++b) {
+      rows.emplace_back();
+      for (std::size_t a = 0; a < width; ++a)
+        rows[b].push_back(quad_point(net, i, a, b));
+      lower_prefix(rows[b], old_degree);
+    }
+    for (std::size_t a = 0; a < width; ++a) {
+      std::vector<Point_3> column;
+      for (std::size_t b = 0; b < width; ++b)
+        column.push_back(rows[b][a]);
+      lower_prefix(column, old_degree);
+      for (std::size_t b = 0; b < width; ++b)
+        rows[b][a] = column[b];
+    }
+  }
+  const auto point = [&](std::size_t i, std::size_t a, std::size_t b) -> Point_3 {
+    const Point_3& p = quads[i][b][a];
+    return 2 * a == d ? CGAL::midpoint(p, quads[net.next(i)][a][b]) : p;
+  };
+  return with_middle_point(net_from_quads<Traits>(n, d, point, net.central_point()),
+                           middle_point(net));
+}
+
+} // namespace internal
+
+/*!
+ * raises the degree of a control net to `degree`.
+ *
+ * Rows along the sides and across them are elevated like Bézier curves: in each step to a degree D,
+ * point (a,b) near a corner, a = 0..⌊D/2⌋ along the side that leaves it and b along the one that
+ * arrives, is the bilinear combination of the former points (a,b), (a-1,b), (a,b-1) and (a-1,b-1),
+ * with the share a/D of a-1 and b/D of b-1 (Várady, Salvi, Karikó, *A multi-sided Bézier patch with
+ * a simple control structure*, Computer Graphics Forum 35, 2016). So the boundary curves stay, and
+ * so do the derivatives across the sides that the l layers of `net` determine, up to order l - 1.
+ * Layers that the higher degree has beyond those come from the layers of adjacent sides.
+ *
+ * The central point is the one with which the point of the patch in the middle of a regular domain
+ * stays. Where the central point has no influence on the patch (degree 1, odd degrees on four
+ * sides, degree 2 on three) it is the mean of the innermost row.
+ *
+ * On four sides this is the degree elevation of a tensor product patch, and the patch stays. With
+ * other numbers of sides it changes between its sides and its middle. Two nets that share a
+ * boundary curve get the same points along it, bit for bit.
+ *
+ * \throws Input_error if the degree is beyond the largest one
+ *
+ * Complexity: the number of degrees times that of control points. \pre `degree >= net.degree()`
+ */
+template <typename Traits>
+Generalized_bezier_net_3<Traits> elevate_net(const Generalized_bezier_net_3<Traits>& net,
+                                             std::size_t degree) {
+  CGAL_precondition(degree >= net.degree());
+  Generalized_bezier_net_3<Traits> result = net;
+  while (result.degree() < degree)
+    result = internal::elevated_by_one(result);
+  return result;
+}
+
+//! raises the degree by one
+template <typename Traits>
+Generalized_bezier_net_3<Traits> elevate_net(const Generalized_bezier_net_3<Traits>& net) {
+  return elevate_net(net, net.degree() + 1);
+}
+
+/*!
+ * lowers the degree of a control net to `degree`: the inverse of `elevate_net()`.
+ *
+ * If the net is an elevation, then this is the net of which it is one, but for a central point
+ * without influence on the patch. Otherwise it is an approximation, which from each corner on keeps
+ * what the reduction of curves in `Bezier_ribbon_3::reduced()` keeps at their ends; boundary curves
+ * and the rows next to them are reduced exactly as there. A middle column is the mean of what the
+ * two corners say. The point of the patch in the middle of a regular domain stays.
+ *
+ * Complexity: the number of degrees times that of control points. \pre `1 <= degree <=
+ * net.degree()`
+ */
+template <typename Traits>
+Generalized_bezier_net_3<Traits> reduce_net(const Generalized_bezier_net_3<Traits>& net,
+                                            std::size_t degree) {
+  CGAL_precondition(1 <= degree && degree <= net.degree());
+  Generalized_bezier_net_3<Traits> result = net;
+  while (result.degree() > degree)
+    result = internal::reduced_by_one(result);
+  return result;
+}
+
+//! lowers the degree by one. \pre `net.degree() >= 2`
+template <typename Traits>
+Generalized_bezier_net_3<Traits> reduce_net(const Generalized_bezier_net_3<Traits>& net) {
+  return reduce_net(net, net.degree() - 1);
+}
+
+} // namespace Multisided_patches
+} // namespace CGAL
+
+#endif // CGAL_MULTISIDED_PATCHES_ELEVATE_NET_H

@@ -1,0 +1,462 @@
+// Copyright (c) 2026 The CGAL Multisided Patches project.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Curves, ribbons and nets with other degrees. What should stay stays exactly: there is no
+// tolerance but for the central control point of a patch in floating-point arithmetic.
+
+#include "catch.h"
+#include "fixtures.h"
+
+#include <CGAL/Multisided_patches/bases/Generalized_bezier_basis.h>
+#include <CGAL/Multisided_patches/coordinates/Mean_value_coordinates_2.h>
+#include <CGAL/Multisided_patches/coordinates/Wachspress_coordinates_2.h>
+#include <CGAL/Multisided_patches/patches/Concave_bezier_patch_3.h>
+#include <CGAL/Multisided_patches/patches/Generalized_bezier_patch_3.h>
+#include <CGAL/Multisided_patches/patches/central_control_point.h>
+#include <CGAL/Multisided_patches/ribbons/elevate_net.h>
+#include <CGAL/Multisided_patches/ribbons/make_generalized_bezier_net.h>
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace MP = CGAL::Multisided_patches;
+using fixtures::Random;
+
+namespace {
+
+using FT = CGAL::Exact_rational;
+using Exact = CGAL::Simple_cartesian<FT>;
+using Point = Exact::Point_3;
+using Vector = Exact::Vector_3;
+using Ribbon = MP::Bezier_ribbon_3<Exact>;
+using Loop = MP::Ribbon_loop_3<Exact>;
+using Net = MP::Generalized_bezier_net_3<Exact>;
+using Grid = std::vector<std::vector<Point>>;
+
+Point random_point(Random& random) {
+  const auto coordinate = [&] { return FT(static_cast<int>(random.integer(0, 2000)) - 1000); };
+  const FT x = coordinate(), y = coordinate(), z = coordinate();
+  return Point(x, y, z);
+}
+
+std::vector<Point> random_points(Random& random, std::size_t count) {
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < count; ++i)
+    points.push_back(random_point(random));
+  return points;
+}
+
+Ribbon random_ribbon(Random& random, std::size_t degree, std::size_t layers) {
+  return Ribbon(degree, layers, random_points(random, (degree + 1) * layers));
+}
+
+Net random_net(Random& random, std::size_t n, std::size_t degree) {
+  return Net(n, degree, random_points(random, Net::number_of_control_points(n, degree)));
+}
+
+int to_int(std::size_t i) {
+  return static_cast<int>(i);
+}
+
+// The derivative of order `order` across the side at h = 0, of the surface whose first rows a
+// ribbon is: of degree d by 2l - 1.
+Vector cross_derivative(const Ribbon& r, const FT& s, std::size_t order) {
+  std::vector<FT> b(r.degree() + 1);
+  MP::internal::bernstein_polynomials(r.degree(), s, b.data());
+  Vector difference(0, 0, 0);
+  FT binomial(1), factor(1);
+  for (std::size_t k = 0; k <= order; ++k) {
+    Vector row(0, 0, 0);
+    for (std::size_t j = 0; j <= r.degree(); ++j)
+      row = row + b[j] * (r.control_point(j, order - k) - CGAL::ORIGIN);
+    difference = difference + (k % 2 == 0 ? binomial : FT(-binomial)) * row;
+    binomial = binomial * FT(to_int(order - k)) / FT(to_int(k + 1));
+    if (k < order)
+      factor *= FT(to_int(r.cross_degree() - k));
+  }
+  return factor * difference;
+}
+
+// Parameters at which two polynomials of degree at most `degree` are equal only if they are the
+// same.
+std::vector<FT> parameters(std::size_t degree) {
+  std::vector<FT> s;
+  for (std::size_t i = 0; i <= degree; ++i)
+    s.push_back(FT(to_int(i)) / FT(to_int(degree + 1)));
+  return s;
+}
+
+bool same_derivatives(const Ribbon& a, const Ribbon& b, std::size_t order) {
+  for (const FT& s : parameters((std::max)(a.degree(), b.degree())))
+    if (cross_derivative(a, s, order) != cross_derivative(b, s, order))
+      return false;
+  return true;
+}
+
+// The control point of a tensor product patch that is C^i_{j,k} of its net.
+const Point& seen_from_side(const Grid& grid, std::size_t i, std::size_t j, std::size_t k) {
+  const std::size_t d = grid.size() - 1;
+  return i == 0   ? grid[j][k]
+         : i == 1 ? grid[d - k][j]
+         : i == 2 ? grid[d - j][d - k]
+                  : grid[k][d - j];
+}
+
+// The net of a tensor product patch. Nothing depends on `central_point` if the degree is odd; it is
+// not used if it is even.
+Net tensor_product_net(const Grid& grid, const Point& central_point) {
+  const std::size_t d = grid.size() - 1;
+  Net net(4, d, std::vector<Point>(Net::number_of_control_points(4, d), central_point));
+  std::vector<Point> points = net.control_points();
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t k = 0; k < net.layers(); ++k)
+      for (std::size_t j = 0; j <= d; ++j)
+        points[net.index(i, j, k)] = seen_from_side(grid, i, j, k);
+  if (d % 2 == 0)
+    points.back() = grid[d / 2][d / 2];
+  return net.with_control_points(points);
+}
+
+Grid random_grid(Random& random, std::size_t degree) {
+  Grid grid;
+  for (std::size_t a = 0; a <= degree; ++a)
+    grid.push_back(random_points(random, degree + 1));
+  return grid;
+}
+
+// By the formula for curves, along v and then along u.
+Grid elevated_grid(const Grid& grid) {
+  const std::size_t d = grid.size();
+  const auto share = [&](std::size_t i) { return FT(FT(to_int(i)) / FT(to_int(d))); };
+  const auto mix = [&](std::size_t i, const Point& before, const Point& at) {
+    return CGAL::ORIGIN +
+           (share(i) * (before - CGAL::ORIGIN) + (1 - share(i)) * (at - CGAL::ORIGIN));
+  };
+  Grid along_v(d, std::vector<Point>(d + 1)), result(d + 1, std::vector<Point>(d + 1));
+  for (std::size_t a = 0; a < d; ++a)
+    for (std::size_t b = 0; b <= d; ++b)
+      along_v[a][b] = mix(b, grid[a][b == 0 ? 0 : b - 1], grid[a][b == d ? d - 1 : b]);
+  for (std::size_t a = 0; a <= d; ++a)
+    for (std::size_t b = 0; b <= d; ++b)
+      result[a][b] = mix(a, along_v[a == 0 ? 0 : a - 1][b], along_v[a == d ? d - 1 : a][b]);
+  return result;
+}
+
+// Whether the patch depends on the central control point at all.
+bool central_point_matters(std::size_t n, std::size_t d) {
+  return d != 1 && (n != 4 || d % 2 == 0) && (n != 3 || d != 2);
+}
+
+bool same_but_for_idle_central_point(const Net& a, const Net& b) {
+  std::vector<Point> p = a.control_points(), q = b.control_points();
+  if (!central_point_matters(a.size(), a.degree()))
+    p.back() = q.back();
+  return p == q;
+}
+
+} // namespace
+
+TEST_CASE("More layers keep all derivatives across a side and continue them by zeros") {
+  Random random(1);
+  for (std::size_t layers = 1; layers <= 3; ++layers)
+    for (std::size_t more = layers; more <= 5; ++more) {
+      CAPTURE(layers, more);
+      const Ribbon r = random_ribbon(random, 4, layers), deeper = r.with_layers(more);
+      REQUIRE(deeper.layers() == more);
+      for (std::size_t order = 0; order < layers; ++order)
+        CHECK(same_derivatives(r, deeper, order));
+      for (std::size_t order = layers; order < more; ++order)
+        for (const FT& s : parameters(4))
+          CHECK(cross_derivative(deeper, s, order) == Vector(0, 0, 0));
+      CHECK(deeper.with_layers(layers).control_points() == r.control_points());
+    }
+}
+
+TEST_CASE("Fewer layers keep the derivatives that they can tell") {
+  Random random(2);
+  const Ribbon r = random_ribbon(random, 3, 4);
+  for (std::size_t layers = 1; layers <= 4; ++layers)
+    for (std::size_t order = 0; order < layers; ++order)
+      CHECK(same_derivatives(r, r.with_layers(layers), order));
+  CHECK_THROWS_AS(r.with_layers(501), MP::Input_error);
+}
+
+TEST_CASE("A ribbon with more layers and a higher degree is the same whichever comes first") {
+  Random random(3);
+  const Ribbon r = random_ribbon(random, 3, 2);
+  CHECK(r.with_layers(4).elevated(6).control_points() ==
+        r.elevated(6).with_layers(4).control_points());
+}
+
+TEST_CASE("Reducing the degree of a ribbon inverts elevation") {
+  Random random(4);
+  for (std::size_t degree = 1; degree <= 5; ++degree)
+    for (std::size_t higher = degree; higher <= 9; ++higher) {
+      const Ribbon r = random_ribbon(random, degree, 2);
+      CHECK(r.elevated(higher).reduced(degree).control_points() == r.control_points());
+    }
+}
+
+TEST_CASE("Reducing the degree of any ribbon keeps the ends of its rows and half the derivatives") {
+  Random random(5);
+  for (std::size_t d = 2; d <= 9; ++d) {
+    const Ribbon r = random_ribbon(random, d, 2), reduced = r.reduced(d - 1);
+    CAPTURE(d);
+    // The reduced ribbon, raised to the degree that it had, has the same points near the ends.
+    const Ribbon back = reduced.elevated(d);
+    for (std::size_t k = 0; k < 2; ++k)
+      for (std::size_t j = 0; j < d / 2; ++j) {
+        CHECK(back.control_point(j, k) == r.control_point(j, k));
+        CHECK(back.control_point(d - j, k) == r.control_point(d - j, k));
+      }
+    CHECK(back.control_points() != r.control_points());
+  }
+}
+
+TEST_CASE("A ribbon run the other way reduces and deepens to the same rounded points") {
+  const unsigned seed = GENERATE(range(10u, 20u));
+  CAPTURE(seed);
+  Random random(seed);
+  const std::size_t degree = random.integer(2, 8);
+  std::vector<fixtures::Point_3> points;
+  for (std::size_t i = 0; i < 2 * (degree + 1); ++i)
+    points.emplace_back(random.in(-1, 1), random.in(-1, 1), random.in(-1, 1));
+  const fixtures::Ribbon r(degree, 2, points);
+  const std::size_t lower = random.integer(1, degree);
+  CHECK(r.reversed().reduced(lower).control_points() ==
+        r.reduced(lower).reversed().control_points());
+  CHECK(r.reversed().with_layers(4).control_points() ==
+        r.with_layers(4).reversed().control_points());
+}
+
+TEST_CASE("An elevated net has the same boundary curves and derivatives across its sides") {
+  Random random(6);
+  for (std::size_t n = 3; n <= 6; ++n)
+    for (std::size_t d = 1; d <= 6; ++d) {
+      CAPTURE(n, d);
+      const Net net = random_net(random, n, d), elevated = MP::elevate_net(net);
+      REQUIRE(elevated.degree() == d + 1);
+      const Loop before = net.loop(), after = elevated.loop();
+      for (std::size_t i = 0; i < n; ++i) {
+        CHECK(after[i].with_layers(net.layers()).control_points() ==
+              before[i].elevated(d + 1).control_points());
+        for (std::size_t order = 0; order < net.layers(); ++order)
+          CHECK(same_derivatives(before[i], after[i], order));
+      }
+    }
+}
+
+TEST_CASE("On four sides elevating a net is elevating a tensor product patch") {
+  Random random(7);
+  for (std::size_t d = 1; d <= 7; ++d) {
+    CAPTURE(d);
+    const Grid grid = random_grid(random, d);
+    const Net net = tensor_product_net(grid, random_point(random));
+    CHECK(same_but_for_idle_central_point(MP::elevate_net(net),
+                                          tensor_product_net(elevated_grid(grid), Point(0, 0, 0))));
+  }
+}
+
+TEST_CASE("Reducing a net inverts elevation") {
+  Random random(8);
+  for (std::size_t n = 3; n <= 7; ++n)
+    for (std::size_t d = 1; d <= 6; ++d) {
+      CAPTURE(n, d);
+      const Net net = random_net(random, n, d);
+      CHECK(same_but_for_idle_central_point(MP::reduce_net(MP::elevate_net(net)), net));
+      if (n <= 5)
+        CHECK(same_but_for_idle_central_point(MP::reduce_net(MP::elevate_net(net, d + 3), d), net));
+    }
+}
+
+TEST_CASE("Reducing any net reduces its boundary curves") {
+  Random random(9);
+  for (std::size_t d = 2; d <= 7; ++d) {
+    CAPTURE(d);
+    const Net net = random_net(random, 5, d), reduced = MP::reduce_net(net);
+    for (std::size_t i = 0; i < 5; ++i)
+      CHECK(reduced.loop()[i].with_layers(1).control_points() ==
+            net.loop()[i].with_layers(1).reduced(d - 1).control_points());
+  }
+}
+
+TEST_CASE("Where all barycentric coordinates are the same an elevated patch has the same point") {
+  Random random(17);
+  using Jet = MP::Jet_2<FT, 0>;
+  const auto middle_of = [](const Net& net) {
+    const std::vector<Exact::Point_2> corners{{0, 0}, {4, -1}, {6, 2}, {5, 5}, {2, 7}, {-1, 3}};
+    const auto n = static_cast<std::ptrdiff_t>(net.size());
+    const MP::Polygonal_domain_2<Exact> domain({corners.begin(), corners.begin() + n});
+    const std::vector<Jet> lambda(net.size(), Jet(FT(1) / FT(to_int(net.size()))));
+    std::vector<std::array<FT, 3>> points;
+    for (const Point& p : net.control_points())
+      points.push_back({p.x(), p.y(), p.z()});
+    const auto sum = MP::Generalized_bezier_basis(net).combine(domain, lambda.data(), points);
+    return Point(sum[0].value(), sum[1].value(), sum[2].value());
+  };
+  for (std::size_t n = 3; n <= 6; ++n)
+    for (std::size_t d = 1; d <= 5; ++d) {
+      CAPTURE(n, d);
+      const Net net = random_net(random, n, d);
+      CHECK(middle_of(MP::elevate_net(net)) == middle_of(net));
+    }
+}
+
+TEST_CASE("Nets in one plane stay in it") {
+  Random random(10);
+  for (std::size_t n = 3; n <= 6; ++n) {
+    std::vector<Point> points = random_points(random, Net::number_of_control_points(n, 3));
+    for (Point& p : points)
+      p = Point(p.x(), p.y(), 1 + 2 * p.x() - p.y());
+    const Net elevated = MP::elevate_net(Net(n, 3, points), 6);
+    for (const Point& p : elevated.control_points())
+      CHECK(p.z() == 1 + 2 * p.x() - p.y());
+  }
+}
+
+TEST_CASE("The net from the ribbons of a tensor product patch is that of the patch") {
+  Random random(11);
+  for (const std::size_t d : {1, 3, 5}) {
+    CAPTURE(d);
+    const Grid grid = random_grid(random, d);
+    const Loop loop = fixtures::tensor_product_loop<Exact>(grid);
+    REQUIRE(MP::smallest_net_degree(loop) == d);
+    CHECK(same_but_for_idle_central_point(MP::make_generalized_bezier_net(loop),
+                                          tensor_product_net(grid, Point(0, 0, 0))));
+    CHECK(same_but_for_idle_central_point(MP::make_generalized_bezier_net(loop, d + 1),
+                                          tensor_product_net(elevated_grid(grid), Point(0, 0, 0))));
+    for (std::size_t i = 0; i < 4; ++i)
+      CHECK(MP::ribbon_mismatch(loop, i) == 0);
+  }
+}
+
+TEST_CASE("Ribbons of higher degree than the patch they come from give the patch") {
+  Random random(12);
+  const Grid grid = random_grid(random, 3);
+  std::vector<Ribbon> ribbons = fixtures::tensor_product_loop<Exact>(grid).ribbons();
+  ribbons[1] = ribbons[1].elevated(5);
+  ribbons[2] = ribbons[2].elevated(4);
+  const Net net = MP::make_generalized_bezier_net(Loop(ribbons));
+  REQUIRE(net.degree() == 5);
+  CHECK(same_but_for_idle_central_point(
+      net, tensor_product_net(elevated_grid(elevated_grid(grid)), Point(0, 0, 0))));
+}
+
+TEST_CASE("A net has the ribbons from which it was made, whatever their degrees and layers") {
+  const unsigned seed = GENERATE(range(1u, 9u));
+  CAPTURE(seed);
+  Random random(seed);
+  // Ribbons that agree at the corners: some of the rows of a net.
+  const std::size_t n = random.integer(3, 6), d = random.integer(3, 6);
+  CAPTURE(n, d);
+  std::vector<Ribbon> ribbons = random_net(random, n, d).loop().ribbons();
+  for (Ribbon& r : ribbons)
+    r = r.with_layers(random.integer(1, r.layers()));
+  const Loop loop(ribbons);
+  const Net net = MP::make_generalized_bezier_net(loop, d + random.integer(0, 2));
+  for (std::size_t i = 0; i < n; ++i) {
+    CHECK(MP::ribbon_mismatch(loop, i) == 0);
+    CHECK(net.loop()[i].with_layers(ribbons[i].layers()).control_points() ==
+          ribbons[i].elevated(net.degree()).control_points());
+  }
+}
+
+TEST_CASE("Where ribbons contradict each other a net keeps the boundary and takes means") {
+  Random random(13);
+  const Grid grid = random_grid(random, 3);
+  std::vector<Ribbon> ribbons = fixtures::tensor_product_loop<Exact>(grid).ribbons();
+  std::vector<Point> points = ribbons[0].control_points();
+  points[4] = points[4] + Vector(0, 0, 3);  // next to the start of the side before
+  points[6] = points[6] + Vector(0, 10, 0); // the twist point at the end
+  ribbons[0] = Ribbon(3, 2, points);
+  const Loop loop(ribbons);
+  CHECK(MP::ribbon_mismatch(loop, 0) == 3);
+  CHECK(MP::ribbon_mismatch(loop, 1) == 10);
+  CHECK(MP::ribbon_mismatch(loop, 2) == 0);
+  const Net net = MP::make_generalized_bezier_net(loop);
+  CHECK(net.control_point(0, 0, 1) == grid[0][1]);
+  CHECK(net.control_point(0, 2, 1) == grid[2][1] + Vector(0, 5, 0));
+}
+
+TEST_CASE("Two layers or a high degree raise the degree of the net of a loop") {
+  Random random(14);
+  std::vector<Ribbon> ribbons;
+  const std::vector<Point> corners = random_points(random, 3);
+  for (std::size_t i = 0; i < 3; ++i)
+    ribbons.emplace_back(1, 1, std::vector<Point>{corners[i], corners[(i + 1) % 3]});
+  CHECK(MP::smallest_net_degree(Loop(ribbons)) == 1);
+  CHECK(MP::make_generalized_bezier_net(Loop(ribbons)).control_point(1, 0, 0) == corners[1]);
+  ribbons[0] = ribbons[0].with_layers(2);
+  CHECK(MP::smallest_net_degree(Loop(ribbons)) == 3);
+  ribbons[1] = ribbons[1].elevated(4);
+  CHECK(MP::make_generalized_bezier_net(Loop(ribbons)).degree() == 4);
+}
+
+TEST_CASE("A central control point is found with which a patch goes through a point") {
+  using namespace fixtures;
+  using MP::Central_weight;
+  const auto weight = GENERATE(Central_weight::weight_deficiency, Central_weight::adjacent_products,
+                               Central_weight::full_product);
+  const auto check = [&](auto coordinates, const std::vector<Point_2>& polygon, const Point_2& uv) {
+    using Patch = MP::Concave_bezier_patch_3<Kernel, decltype(coordinates)>;
+    MP::Concave_bezier_model_3<Kernel> model(
+        lifted_loop(polygon, [](double x, double y) { return 0.3 * x * x - 0.2 * x * y; }));
+    model.central_weight = weight;
+    const Patch patch(model, coordinates);
+    const Point_3 target = patch(uv) + Vector_3(0.1, -0.2, 0.5);
+    REQUIRE(std::abs(MP::central_weight_at(patch, uv)) > 1e-4);
+    model.central_point = MP::central_point_for(patch, model, uv, target);
+    const Patch moved(model, coordinates);
+    CHECK(std::sqrt(CGAL::squared_distance(moved(uv), target)) < 1e-12);
+    // Once more, from the central control point that the model has now.
+    model.central_point = MP::central_point_for(moved, model, uv, target + Vector_3(0, 0, 1));
+    CHECK(std::sqrt(CGAL::squared_distance(Patch(model, coordinates)(uv),
+                                           target + Vector_3(0, 0, 1))) < 1e-12);
+  };
+  Random random(15);
+  const std::vector<Point_2> pentagon = convex_polygon(random, 5);
+  check(MP::Wachspress_coordinates_2<Kernel>(Domain(pentagon)), pentagon, Point_2(0.1, 0.05));
+  check(MP::Mean_value_coordinates_2<Kernel>(Domain(l_shape())), l_shape(), Point_2(0.6, 0.5));
+}
+
+TEST_CASE("The central point of a net is found with which its patch goes through a point") {
+  using namespace fixtures;
+  Random random(18);
+  std::vector<Point_3> points;
+  for (std::size_t i = 0; i < 46; ++i)
+    points.emplace_back(random.in(-1, 1), random.in(-1, 1), random.in(-1, 1));
+  const MP::Generalized_bezier_net_3<Kernel> net(5, 5, points);
+  const Point_3 target(0.3, 0.2, 0.1);
+  const MP::Generalized_bezier_patch_3<Kernel> patch(net);
+  const CGAL::Bbox_2 box = patch.domain().bbox();
+  const Point_2 uv(0.4 * box.xmin() + 0.6 * box.xmax(), (box.ymin() + box.ymax()) / 2);
+  points.back() = MP::central_point_for(patch, net, uv, target);
+  const MP::Generalized_bezier_patch_3<Kernel> moved(net.with_control_points(points));
+  CHECK(std::sqrt(CGAL::squared_distance(moved(uv), target)) < 1e-12);
+}
+
+TEST_CASE("No central control point moves a patch where it has no weight") {
+  using namespace fixtures;
+  Random random(16);
+  const std::vector<Point_2> pentagon = convex_polygon(random, 5);
+  MP::Concave_bezier_model_3<Kernel> model(lifted_loop(pentagon, [](double, double) { return 0; }));
+  const MP::Wachspress_coordinates_2<Kernel> coordinates{Domain(pentagon)};
+  using Patch = MP::Concave_bezier_patch_3<Kernel, MP::Wachspress_coordinates_2<Kernel>>;
+  const Point_3 point(0, 0, 1);
+  CHECK_THROWS_AS(MP::central_point_for(Patch(model, coordinates), model, Point_2(0.1, 0), point),
+                  MP::Input_error);
+  model.central_weight = MP::Central_weight::full_product;
+  const Patch patch(model, coordinates);
+  CHECK_NOTHROW(MP::central_point_for(patch, model, Point_2(0.1, 0), point));
+  CHECK_THROWS_AS(MP::central_point_for(patch, model, pentagon[0], point), MP::Input_error);
+  CHECK_THROWS_AS(MP::central_point_for(patch, model, Point_2(9, 0), point),
+                  MP::Outside_domain_error);
+}
