@@ -9,6 +9,10 @@
  *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Multisided_patches::Concave_bezier_patch_3}
+ * \cgalHasModels{CGAL::Multisided_patches::Generalized_bezier_patch_3}
+ * \cgalHasModels{CGAL::Multisided_patches::S_patch_3}
+ * \cgalHasModels{CGAL::Multisided_patches::Tensor_product_patch_3}
+ * \cgalHasModels{CGAL::Multisided_patches::Bezier_triangle_3}
  * \cgalHasModelsEnd
  */
 class MultisidedPatch_3 {

@@ -24,9 +24,9 @@ namespace Multisided_patches {
 /*!
  * The blending functions of the S-patch with n sides and depth d: for every multi-index
  * i = (i_0, …, i_{n-1}) with the sum d the Bernstein polynomial of n variables
- * d! / (i_0! ⋯ i_{n-1}!) λ_0^{i_0} ⋯ λ_{n-1}^{i_{n-1}}, on barycentric coordinates (Loop and DeRose,
- * *A multisided generalization of Bézier surfaces*, ACM Transactions on Graphics 8, 1989). By the
- * multinomial theorem they sum to (Σ λ_k)^d = 1.
+ * d! / (i_0! ⋯ i_{n-1}!) λ_0^{i_0} ⋯ λ_{n-1}^{i_{n-1}}, on barycentric coordinates (Loop and
+ * DeRose, *A multisided generalization of Bézier surfaces*, ACM Transactions on Graphics 8, 1989).
+ * By the multinomial theorem they sum to (Σ λ_k)^d = 1.
  *
  * Weights are in lexicographically descending order of their indices, as are the points of an
  * `S_patch_net_3`.
@@ -135,8 +135,8 @@ private:
     for (std::size_t entry = rest; entry > 0; --entry) {
       for_each_weight(powers, k + 1, rest - entry, T(factor * T(power[entry] * binomial)),
                       function);
-      binomial = binomial * Scalar(static_cast<int>(entry)) /
-                 Scalar(static_cast<int>(rest - entry + 1));
+      binomial =
+          binomial * Scalar(static_cast<int>(entry)) / Scalar(static_cast<int>(rest - entry + 1));
     }
     for_each_weight(powers, k + 1, rest, factor, function);
   }

@@ -1,0 +1,625 @@
+// Copyright (c) 2026 The CGAL Multisided Patches project.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "catch.h"
+#include "fixtures.h"
+
+#include <CGAL/Multisided_patches/IO/CGB.h>
+#include <CGAL/Multisided_patches/analysis/continuity_report.h>
+#include <CGAL/Multisided_patches/coordinates/Mean_value_coordinates_2.h>
+#include <CGAL/Multisided_patches/patches/fill_with_S_patch.h>
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <limits>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+using namespace fixtures;
+
+namespace {
+
+using Rational = CGAL::Exact_rational;
+using Exact = CGAL::Simple_cartesian<Rational>;
+using Exact_net = MP::S_patch_net_3<Exact>;
+using Net = MP::S_patch_net_3<Kernel>;
+using Patch = MP::S_patch_3<Kernel>;
+using Mean_value = MP::Mean_value_coordinates_2<Kernel>;
+using Index = Net::Multi_index;
+
+Rational rational(Random& random) {
+  return Rational(static_cast<int>(random.integer(0, 200)) - 100) / Rational(97);
+}
+
+template <typename Traits>
+MP::S_patch_net_3<Traits> random_net(Random& random, std::size_t n, std::size_t depth) {
+  std::vector<typename Traits::Point_3> points;
+  const std::size_t size = MP::S_patch_net_3<Traits>::number_of_control_points(n, depth);
+  for (std::size_t i = 0; i < size; ++i)
+    points.emplace_back(random.in(-1, 1), random.in(-1, 1), random.in(-1, 1));
+  return {n, depth, points};
+}
+
+// Any numbers with the sum 1, some of them negative.
+std::vector<Rational> random_lambda(Random& random, std::size_t n) {
+  std::vector<Rational> lambda{Rational(1)};
+  for (std::size_t k = 1; k < n; ++k) {
+    lambda.push_back(rational(random));
+    lambda[0] -= lambda[k];
+  }
+  return lambda;
+}
+
+// The basis times the net, at coordinates that need no domain: the basis asks only for its size.
+template <typename T, typename Traits>
+std::array<T, 3> combined(const MP::S_patch_net_3<Traits>& net, const std::vector<T>& lambda) {
+  const MP::S_patch_basis basis(net.size(), net.depth());
+  return basis.combine(lambda, lambda.data(), net.control_points());
+}
+
+int factorial(std::size_t n) {
+  return n == 0 ? 1 : static_cast<int>(n) * factorial(n - 1);
+}
+
+template <typename Index>
+Rational multinomial(const Index& i) {
+  Rational result(factorial(std::accumulate(i.begin(), i.end(), std::size_t(0))));
+  for (const std::size_t k : i)
+    result /= Rational(factorial(k));
+  return result;
+}
+
+Rational power(const Rational& x, std::size_t exponent) {
+  return exponent == 0 ? Rational(1) : Rational(x * power(x, exponent - 1));
+}
+
+Rational bernstein(std::size_t degree, std::size_t k, const Rational& t) {
+  return multinomial(Index{k, degree - k}) * power(t, k) * power(1 - t, degree - k);
+}
+
+using Exact_point = Exact::Point_3;
+using Tensor_net = std::vector<std::vector<Exact_point>>;
+
+std::array<Rational, 3> tensor_product_point(const Tensor_net& net, const Rational& u,
+                                             const Rational& v) {
+  std::array<Rational, 3> sum{};
+  for (std::size_t a = 0; a < net.size(); ++a)
+    for (std::size_t b = 0; b < net.size(); ++b)
+      for (int c = 0; c < 3; ++c)
+        sum[c] += bernstein(net.size() - 1, a, u) * bernstein(net.size() - 1, b, v) * net[a][b][c];
+  return sum;
+}
+
+std::vector<Rational> bilinear(const Rational& u, const Rational& v) {
+  return {(1 - u) * (1 - v), u * (1 - v), u * v, (1 - u) * v};
+}
+
+double distance(const Point_3& a, const Point_3& b) {
+  return std::sqrt(CGAL::squared_distance(a, b));
+}
+
+/*
+ * The graph of z = q(x,y), a quadratic polynomial, along the sides of a polygon: ribbons of degree
+ * 2 whose cross-derivatives lie in its tangent planes. As they come from a smooth surface, ribbons
+ * agree at the corners.
+ */
+template <typename Traits>
+class Graph {
+public:
+  using FT = typename Traits::FT;
+  using Point_2 = typename Traits::Point_2;
+  using Vector_2 = typename Traits::Vector_2;
+  using Point_3 = typename Traits::Point_3;
+  using Vector_3 = typename Traits::Vector_3;
+
+  FT xx{1}, xy{0}, yy{-1}, x{0}, y{0};
+  FT growth{2}; // of the width of the ribbons, from start to end
+
+  // the polar form, q(p,p) = q(p)
+  FT polar(const Point_2& p, const Point_2& r) const {
+    return xx * p.x() * r.x() + xy * (p.x() * r.y() + p.y() * r.x()) / FT(2) + yy * p.y() * r.y() +
+           (x * (p.x() + r.x()) + y * (p.y() + r.y())) / FT(2);
+  }
+  // the derivative at p in the direction w
+  FT derivative(const Point_2& p, const Vector_2& w) const {
+    return FT(2) * (polar(p, p + w) - polar(p, p));
+  }
+  Vector_3 normal(const Point_2& p) const {
+    return {-derivative(p, Vector_2(1, 0)), -derivative(p, Vector_2(0, 1)), FT(1)};
+  }
+
+  MP::Bezier_ribbon_3<Traits> ribbon(const std::vector<Point_2>& polygon, std::size_t i) const {
+    const std::size_t n = polygon.size();
+    const Point_2 &a = polygon[i], &b = polygon[(i + 1) % n];
+    // Into the polygon at both ends, but not along the neighbouring sides.
+    const Vector_2 inwards(a.y() - b.y(), b.x() - a.x());
+    const std::array<Vector_2, 2> w{inwards + FT(1) / FT(5) * (b - a),
+                                    growth * inwards - FT(1) / FT(3) * (b - a)};
+    std::vector<Point_3> points;
+    const std::array<Point_2, 3> plan{a, CGAL::midpoint(a, b), b};
+    const std::array<FT, 3> height{polar(a, a), polar(a, b), polar(b, b)};
+    for (std::size_t j = 0; j < 3; ++j)
+      points.emplace_back(plan[j].x(), plan[j].y(), height[j]);
+    const std::array<Vector_2, 3> across{w[0], FT(1) / FT(2) * (w[0] + w[1]), w[1]};
+    const std::array<FT, 3> rise{derivative(a, w[0]),
+                                 (derivative(a, w[1]) + derivative(b, w[0])) / FT(2),
+                                 derivative(b, w[1])};
+    for (std::size_t j = 0; j < 3; ++j)
+      points.push_back(points[j] +
+                       FT(1) / FT(12) * Vector_3(across[j].x(), across[j].y(), rise[j]));
+    return {2, 2, points};
+  }
+
+  // Ribbons of degrees 2 and 3 in turn.
+  MP::Ribbon_loop_3<Traits> loop(const std::vector<Point_2>& polygon) const {
+    std::vector<MP::Bezier_ribbon_3<Traits>> ribbons;
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+      ribbons.push_back(ribbon(polygon, i).elevated(2 + i % 2));
+    return MP::Ribbon_loop_3<Traits>(std::move(ribbons));
+  }
+};
+
+template <typename Traits>
+std::vector<typename Traits::Point_2> pentagon() {
+  using Point = typename Traits::Point_2;
+  return {Point(0, 0), Point(4, -1), Point(6, 2), Point(3, 5), Point(-1, 3)};
+}
+
+// Of points on a side.
+std::vector<Rational> parameters() {
+  return {0, Rational(1) / 100, Rational(3) / 7, Rational(5) / 6, 1};
+}
+
+template <typename Patch>
+void check_that_it_meets_its_ribbons(const Patch& patch) {
+  const MP::Continuity_report report = MP::continuity_report(patch, 8);
+  CHECK(report.largest_position().value < 1e-9 * patch.loop().diagonal());
+  CHECK(report.sides[0].tangent_plane);
+  CHECK(report.largest_tangent_plane().value < 1e-6);
+}
+
+bool is_convex(const Loop& loop) {
+  return loop.number_of_corners(MP::Corner_type::convex) == loop.size();
+}
+
+std::vector<Loop> convex_models() {
+  std::vector<Loop> loops;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(MODELS_DIR))
+    if (entry.path().extension() == ".cgb") {
+      const Loop loop = MP::IO::read_CGB<Kernel>(entry.path().string()).loop;
+      if (is_convex(loop))
+        loops.push_back(loop);
+    }
+  return loops;
+}
+
+} // namespace
+
+TEST_CASE("Control points of an S-patch come in descending order of their indices") {
+  for (const std::size_t n : {3, 4, 6})
+    for (const std::size_t depth : {1, 2, 5}) {
+      Random random(1);
+      const Net net = random_net<Kernel>(random, n, depth);
+      std::size_t count = 0;
+      Index before;
+      net.for_each_control_point([&](const Index& index, const Point_3& p) {
+        CHECK(index.size() == n);
+        CHECK(std::accumulate(index.begin(), index.end(), std::size_t(0)) == depth);
+        CHECK((count == 0 || index < before));
+        CHECK(net.index(index) == count);
+        CHECK(net.multi_index(count) == index);
+        CHECK(net.control_point(index) == p);
+        before = index;
+        ++count;
+      });
+      CHECK(count == net.control_points().size());
+      CHECK(before.back() == depth);
+    }
+  CHECK(Net::number_of_control_points(5, 8) == 495); // (12 choose 8)
+  CHECK(Net::number_of_control_points(6, 5) == 252);
+}
+
+TEST_CASE("The basis of S-patches agrees with the algorithm of de Casteljau") {
+  const unsigned seed = 7;
+  CAPTURE(seed);
+  Random random(seed);
+  for (std::size_t n = 3; n <= 6; ++n)
+    for (std::size_t depth = 1; depth <= 4; ++depth) {
+      const Exact_net net = random_net<Exact>(random, n, depth);
+      const std::vector<Rational> lambda = random_lambda(random, n);
+      const std::array<Rational, 3> p = MP::s_patch_de_casteljau(net, lambda.data());
+      CHECK(p == combined(net, lambda));
+
+      const MP::S_patch_basis basis(n, depth);
+      CHECK(basis.number_of_sides() == n);
+      REQUIRE(basis.size() == net.control_points().size());
+      std::vector<Rational> weights(basis.size());
+      basis.evaluate(lambda, lambda.data(), weights.data());
+      CHECK(std::accumulate(weights.begin(), weights.end(), Rational(0)) == 1);
+      std::array<Rational, 3> sum{};
+      for (std::size_t i = 0; i < weights.size(); ++i) {
+        Rational weight = multinomial(net.multi_index(i));
+        for (std::size_t k = 0; k < n; ++k)
+          weight *= power(lambda[k], net.multi_index(i)[k]);
+        CHECK(weights[i] == weight);
+        for (int c = 0; c < 3; ++c)
+          sum[c] += weights[i] * net.control_points()[i][c];
+      }
+      CHECK(sum == p);
+    }
+}
+
+TEST_CASE("Depth elevation leaves an S-patch where it is") {
+  const unsigned seed = 8;
+  CAPTURE(seed);
+  Random random(seed);
+  for (std::size_t n = 3; n <= 6; ++n)
+    for (std::size_t depth = 1; depth <= 3; ++depth) {
+      const Exact_net net = random_net<Exact>(random, n, depth);
+      const Exact_net elevated = net.elevated().elevated();
+      CHECK(elevated.depth() == depth + 2);
+      const std::vector<Rational> lambda = random_lambda(random, n);
+      CHECK(combined(elevated, lambda) == combined(net, lambda));
+      for (std::size_t i = 0; i < n; ++i)
+        CHECK(elevated.boundary(i).control_points() ==
+              net.boundary(i).elevated(depth + 2).control_points());
+    }
+}
+
+TEST_CASE("A three-sided S-patch is a Bezier triangle") {
+  const unsigned seed = 9;
+  CAPTURE(seed);
+  Random random(seed);
+  for (std::size_t d = 1; d <= 6; ++d) {
+    const Exact_net net = random_net<Exact>(random, 3, d);
+    const std::vector<Rational> lambda = random_lambda(random, 3);
+    std::array<Rational, 3> sum{};
+    std::size_t point = 0;
+    for (std::size_t i = d + 1; i-- > 0;)
+      for (std::size_t j = d - i + 1; j-- > 0; ++point)
+        for (int c = 0; c < 3; ++c)
+          sum[c] += Rational(factorial(d)) / factorial(i) / factorial(j) / factorial(d - i - j) *
+                    power(lambda[0], i) * power(lambda[1], j) * power(lambda[2], d - i - j) *
+                    net.control_points()[point][c];
+    CHECK(combined(net, lambda) == sum);
+  }
+}
+
+TEST_CASE("A four-sided S-patch on a square is a tensor product patch") {
+  const unsigned seed = 10;
+  CAPTURE(seed);
+  Random random(seed);
+  for (std::size_t d = 1; d <= 4; ++d) {
+    const Exact_net net = random_net<Exact>(random, 4, d);
+    // u^a (1-u)^(d-a) v^b (1-v)^(d-b) is the product of coordinates for a = i_1 + i_2 and
+    // b = i_2 + i_3; its coefficients add up.
+    Tensor_net tensor(d + 1, std::vector<Exact_point>(d + 1, Exact_point(0, 0, 0)));
+    net.for_each_control_point([&](const Index& i, const Exact_point& p) {
+      const std::size_t a = i[1] + i[2], b = i[2] + i[3];
+      const Rational share =
+          multinomial(i) / (multinomial(Index{a, d - a}) * multinomial(Index{b, d - b}));
+      tensor[a][b] = tensor[a][b] + share * (p - CGAL::ORIGIN);
+    });
+    const Rational u = rational(random), v = rational(random);
+    CHECK(combined(net, bilinear(u, v)) == tensor_product_point(tensor, u, v));
+
+    // The other way: all points with the same a and b at the place of the tensor point.
+    std::vector<Exact_point> points;
+    net.for_each_control_point([&](const Index& i, const Exact_point&) {
+      points.push_back(tensor[i[1] + i[2]][i[2] + i[3]]);
+    });
+    CHECK(combined(net.with_control_points(points), bilinear(u, v)) ==
+          tensor_product_point(tensor, u, v));
+
+    // As a patch, Wachspress coordinates of the square are the bilinear ones.
+    const MP::S_patch_3<Exact> patch(net);
+    const Rational s = Rational(static_cast<int>(random.integer(1, 96))) / 97,
+                   t = Rational(static_cast<int>(random.integer(1, 96))) / 97;
+    const Exact_point p = patch(Exact::Point_2(s, t));
+    CHECK(std::array<Rational, 3>{p.x(), p.y(), p.z()} == tensor_product_point(tensor, s, t));
+  }
+}
+
+TEST_CASE("Jets give the derivatives of an S-patch") {
+  const unsigned seed = 11;
+  CAPTURE(seed);
+  Random random(seed);
+  using Jet = MP::Jet_2<Rational, 2>;
+  const std::size_t n = 5, depth = 4;
+  const Exact_net net = random_net<Exact>(random, n, depth);
+  // Coordinates that are affine in u and v; so the patch is a polynomial of degree 4, for which
+  // differences of five values are no approximations.
+  const std::vector<Rational> at = random_lambda(random, n);
+  std::vector<Rational> by_u = random_lambda(random, n), by_v = random_lambda(random, n);
+  by_u[0] -= 1;
+  by_v[0] -= 1;
+  std::vector<Jet> lambda(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    lambda[k] = Jet(at[k]);
+    lambda[k][1] = by_u[k];
+    lambda[k][2] = by_v[k];
+  }
+  const auto value = [&](int u, int v, std::size_t c) {
+    std::vector<Rational> l(n);
+    for (std::size_t k = 0; k < n; ++k)
+      l[k] = at[k] + u * by_u[k] + v * by_v[k];
+    return combined(net, l)[c];
+  };
+  const std::array<Rational, 5> first{Rational(1) / 12, Rational(-8) / 12, Rational(0),
+                                      Rational(8) / 12, Rational(-1) / 12};
+  const std::array<Rational, 5> second{Rational(-1) / 12, Rational(16) / 12, Rational(-30) / 12,
+                                       Rational(16) / 12, Rational(-1) / 12};
+  const std::array<Jet, 3> p = combined(net, lambda);
+  for (std::size_t c = 0; c < 3; ++c) {
+    Rational u(0), v(0), uu(0), uv(0), vv(0);
+    for (int a = -2; a <= 2; ++a) {
+      u += first[a + 2] * value(a, 0, c);
+      v += first[a + 2] * value(0, a, c);
+      uu += second[a + 2] * value(a, 0, c);
+      vv += second[a + 2] * value(0, a, c);
+      for (int b = -2; b <= 2; ++b)
+        uv += first[a + 2] * first[b + 2] * value(a, b, c);
+    }
+    CHECK(p[c][0] == value(0, 0, c));
+    CHECK(p[c][1] == u);
+    CHECK(p[c][2] == v);
+    CHECK(p[c][3] == uu);
+    CHECK(p[c][4] == uv);
+    CHECK(p[c][5] == vv);
+  }
+  // The weights sum to 1, and their derivatives to 0.
+  const MP::S_patch_basis basis(n, depth);
+  std::vector<Jet> weights(basis.size());
+  basis.evaluate(lambda, lambda.data(), weights.data());
+  const Jet sum = std::accumulate(weights.begin(), weights.end(), Jet());
+  CHECK(sum.value() == 1);
+  for (std::size_t k = 1; k < Jet::size; ++k)
+    CHECK(sum[k] == 0);
+}
+
+TEST_CASE("Weights of great depth neither overflow nor lose their sum") {
+  const MP::S_patch_basis basis(3, 1000);
+  std::vector<double> weights(basis.size());
+  for (const std::vector<double>& lambda :
+       {std::vector<double>{0.5, 0.25, 0.25}, {1, 0, 0}, {0, 0.5, 0.5}, {0.01, 0.01, 0.98}}) {
+    basis.evaluate(lambda, lambda.data(), weights.data());
+    CHECK(std::accumulate(weights.begin(), weights.end(), 0.0) == Approx(1).epsilon(1e-11));
+  }
+}
+
+TEST_CASE("The boundary of an S-patch is that of its net, in exact arithmetic") {
+  const unsigned seed = 12;
+  CAPTURE(seed);
+  Random random(seed);
+  const Exact_net net = random_net<Exact>(random, 5, 3);
+  const MP::S_patch_3<Exact> patch(
+      net, MP::Wachspress_coordinates_2<Exact>(MP::Polygonal_domain_2<Exact>(pentagon<Exact>())));
+  for (std::size_t i = 0; i < 5; ++i)
+    for (const Rational& s : parameters()) {
+      const auto p = patch.evaluate<1>(patch.domain().point_on_side(i, s),
+                                       patch.domain().location_on_side(i, s));
+      const Exact_point expected = net.boundary(i).boundary_point(s);
+      CHECK(Exact_point(p[0].value(), p[1].value(), p[2].value()) == expected);
+      CHECK(patch.point_on_side(i, s) == expected);
+    }
+}
+
+TEST_CASE("An S-patch over an L has the boundary curves of its net") {
+  const unsigned seed = 13;
+  CAPTURE(seed);
+  Random random(seed);
+  const Net net = random_net<Kernel>(random, 6, 3);
+  const MP::S_patch_3<Kernel, Mean_value> patch(net, Mean_value(Domain(l_shape())));
+  CHECK(MP::continuity_report(patch).largest_position().value < 1e-14);
+  // Inside, it goes over into the boundary, at the reflex corner too.
+  for (const double step : {1e-3, 1e-6, 1e-9})
+    for (const double s : {0.0, 0.3, 0.8}) {
+      const Point_2 on_side = patch.domain().point_on_side(2, s);
+      CHECK(distance(patch(Point_2(on_side.x(), on_side.y() - step)), patch.point_on_side(2, s)) <
+            50 * step);
+    }
+}
+
+TEST_CASE("Filling convex models of the examples meets their ribbons") {
+  const std::vector<Loop> loops = convex_models();
+  REQUIRE(loops.size() >= 5);
+  for (const Loop& loop : loops) {
+    // Nothing needs to be changed.
+    const Patch patch = MP::fill_with_S_patch(loop, MP::Incompatible_ribbons::refuse);
+    CHECK(patch.net().depth() == 6);
+    check_that_it_meets_its_ribbons(patch);
+    // The ribbons of the model itself are the ones.
+    check_that_it_meets_its_ribbons(Patch(patch.net(), loop, patch.coordinates()));
+    for (std::size_t i = 0; i < loop.size(); ++i)
+      CHECK(patch.point_on_side(i, 0.3) == loop[i].boundary_point(0.3));
+  }
+}
+
+TEST_CASE("In exact arithmetic a filling has exactly the tangent planes of its ribbons") {
+  const Graph<Exact> graph{2, 1, -1, 0, 3};
+  const std::vector<Exact::Point_2> plan = pentagon<Exact>();
+  // Not the polygon of the ribbons, nor an affine image of it.
+  const MP::Wachspress_coordinates_2<Exact> coordinates(MP::Polygonal_domain_2<Exact>(
+      {{0, 0}, {1, 0}, {Rational(5) / 4, 1}, {Rational(1) / 2, 2}, {Rational(-1) / 3, 1}}));
+  const auto patch = MP::fill_with_S_patch(graph.loop(plan), coordinates);
+  CHECK(patch.net().depth() == 6);
+  for (std::size_t i = 0; i < 5; ++i)
+    for (const Rational& s : parameters()) {
+      const auto p = patch.evaluate<1>(patch.domain().point_on_side(i, s),
+                                       patch.domain().location_on_side(i, s));
+      const Exact::Point_2 on_plan = plan[i] + s * (plan[(i + 1) % 5] - plan[i]);
+      CHECK(p[0].value() == on_plan.x());
+      CHECK(p[1].value() == on_plan.y());
+      CHECK(p[2].value() == graph.polar(on_plan, on_plan));
+      const Exact::Vector_3 u(p[0][1], p[1][1], p[2][1]), v(p[0][2], p[1][2], p[2][2]);
+      const Exact::Vector_3 normal = CGAL::cross_product(u, v), wanted = graph.normal(on_plan);
+      CHECK(CGAL::cross_product(normal, wanted) == CGAL::NULL_VECTOR);
+      CHECK(normal * wanted > 0);
+    }
+}
+
+TEST_CASE("Ribbons of constant width in an affine image of the domain are filled with that image") {
+  const std::vector<Point_2> plan = pentagon<Kernel>();
+  const Graph<Kernel> plane{0, 0, 0, 0.3, -0.7, 1};
+  const Patch patch =
+      MP::fill_with_S_patch(plane.loop(plan), MP::Wachspress_coordinates_2<Kernel>(Domain(plan)));
+  patch.net().for_each_control_point([&](const Index& i, const Point_3& p) {
+    Vector_3 expected(0, 0, 0);
+    for (std::size_t k = 0; k < 5; ++k)
+      expected = expected + static_cast<double>(i[k]) / static_cast<double>(patch.net().depth()) *
+                                (patch.loop().corner_point(k) - CGAL::ORIGIN);
+    // The ribbons lead askew, and differently along a side; but β makes up for that.
+    CHECK(distance(p, CGAL::ORIGIN + expected) < 1e-12);
+  });
+}
+
+TEST_CASE("Loops of any size are filled") {
+  const Loop loop = Graph<Kernel>{0.2, 0.1, -0.3, 0, 0.5}.loop(pentagon<Kernel>());
+  for (const double size : {1e-140, 1e-20, 1e20, 1e140}) {
+    CAPTURE(size);
+    std::vector<Ribbon> ribbons;
+    for (const Ribbon& r : loop.ribbons()) {
+      std::vector<Point_3> points;
+      for (const Point_3& p : r.control_points())
+        points.push_back(CGAL::ORIGIN + size * (p - CGAL::ORIGIN));
+      ribbons.emplace_back(r.degree(), r.layers(), points);
+    }
+    check_that_it_meets_its_ribbons(
+        MP::fill_with_S_patch(Loop(ribbons), MP::Incompatible_ribbons::refuse));
+  }
+}
+
+TEST_CASE("Of ribbons with three layers the tangent planes are met") {
+  const unsigned seed = 15;
+  CAPTURE(seed);
+  Random random(seed);
+  const Loop two_layers = Graph<Kernel>().loop(pentagon<Kernel>());
+  std::vector<Ribbon> ribbons;
+  for (const Ribbon& r : two_layers.ribbons()) {
+    // The derivative across the side is 5 steps from row to row instead of 3, or anything.
+    std::vector<Point_3> points(r.control_points());
+    const double scale = random.in(0.5, 2);
+    for (std::size_t j = 0; j <= r.degree(); ++j) {
+      points[r.degree() + 1 + j] = points[j] + scale * (points[r.degree() + 1 + j] - points[j]);
+      points.emplace_back(random.in(-1, 1), random.in(-1, 1), random.in(-1, 1));
+    }
+    ribbons.emplace_back(r.degree(), 3, points);
+  }
+  const Loop loop(ribbons);
+  const Patch patch = MP::fill_with_S_patch(loop, MP::Incompatible_ribbons::refuse);
+  check_that_it_meets_its_ribbons(patch);
+  check_that_it_meets_its_ribbons(Patch(patch.net(), loop, patch.coordinates()));
+  for (std::size_t i = 0; i < 5; ++i)
+    CHECK((patch.loop()[i].cross_derivative(0.3) - loop[i].cross_derivative(0.3)).squared_length() <
+          1e-24);
+}
+
+TEST_CASE("Concave loops are filled on a concave domain") {
+  const Graph<Kernel> graph{0.2, 0.1, -0.3, 0, 0.5};
+  const Loop loop = graph.loop(l_shape());
+  REQUIRE(loop.number_of_corners(MP::Corner_type::reflex) == 1);
+  CHECK_THROWS_WITH(MP::fill_with_S_patch(loop), Catch::Matchers::Contains("corner 3 is reflex"));
+  // The domain is another L.
+  const Mean_value coordinates(Domain({{0, 0}, {3, 0}, {3, 1}, {1, 1.2}, {1, 2}, {0, 2}}));
+  const auto patch = MP::fill_with_S_patch(loop, coordinates, MP::Incompatible_ribbons::refuse);
+  check_that_it_meets_its_ribbons(patch);
+}
+
+TEST_CASE("Ribbons that no patch meets are refused, or changed in their second rows") {
+  using Catch::Matchers::Contains;
+  const unsigned seed = 14;
+  CAPTURE(seed);
+  Random random(seed);
+  const Loop loop = Graph<Kernel>{0.2, 0.1, -0.3, 0, 0.5}.loop(pentagon<Kernel>());
+  // Side 1 is of degree 3, so that its point (1,1) has to do with the twist at corner 1 alone; the
+  // point (0,1) is that of the tangent plane.
+  for (const std::size_t j : {0, 1}) {
+    std::vector<Ribbon> ribbons = loop.ribbons();
+    std::vector<Point_3> points = ribbons[1].control_points();
+    points[4 + j] = points[4 + j] + Vector_3(0, 0, 0.1);
+    ribbons[1] = Ribbon(3, 2, points);
+    const Loop bad(ribbons);
+    CHECK_THROWS_WITH(MP::fill_with_S_patch(bad, MP::Incompatible_ribbons::refuse),
+                      Contains("corner 1"));
+    const Patch patch = MP::fill_with_S_patch(bad);
+    check_that_it_meets_its_ribbons(patch);
+    CHECK(MP::continuity_report(Patch(patch.net(), bad, patch.coordinates()))
+              .largest_tangent_plane()
+              .value > 0.01);
+    // Ribbon 0 needs a point for its twist at one end that has no effect at the other.
+    CHECK(patch.loop()[0].degree() == 3);
+    CHECK(patch.loop()[4].degree() == 2);
+    for (std::size_t i = 0; i < 5; ++i) {
+      const Ribbon before = bad[i].elevated(3), after = patch.loop()[i].elevated(3);
+      for (std::size_t k = 0; k < 4; ++k) {
+        CHECK(distance(before.control_point(k, 0), after.control_point(k, 0)) < 1e-14);
+        const bool may_move = (i == 1 && k <= 1) || (i == 0 && k == 2);
+        CHECK(
+            (distance(before.control_point(k, 1), after.control_point(k, 1)) < 1e-13 || may_move));
+      }
+    }
+  }
+}
+
+TEST_CASE("Nets of S-patches that do not fit are refused") {
+  using Catch::Matchers::Contains;
+  const std::vector<Point_3> ten(10, Point_3(0, 0, 0));
+  CHECK_THROWS_AS(Net(2, 3, ten), MP::Input_error);
+  CHECK_THROWS_AS(Net(3, 0, ten), MP::Input_error);
+  CHECK_NOTHROW(Net(3, 3, ten));
+  CHECK_THROWS_WITH(Net(4, 3, ten), Contains("has 20 points, not 10"));
+  CHECK_THROWS_WITH(Net(20, 20, ten), Contains("more than 5000000"));
+  constexpr std::size_t huge = std::numeric_limits<std::size_t>::max();
+  CHECK_THROWS_AS(Net(huge, 3, ten), MP::Input_error);
+  CHECK_THROWS_AS(Net(3, huge, ten), MP::Input_error);
+  CHECK_THROWS_AS(Net(huge, huge, ten), MP::Input_error);
+  CHECK_THROWS_AS(Net(1000, 1000, ten), MP::Input_error);
+  std::vector<Point_3> bad = ten;
+  bad[7] = Point_3(0, std::numeric_limits<double>::infinity(), 0);
+  CHECK_THROWS_WITH(Net(3, 3, bad), Contains("control point 7"));
+  CHECK_THROWS_AS(Net(3, 3, ten).loop(), MP::Input_error); // all points coincide
+}
+
+TEST_CASE("S-patches refuse ribbons and domains that do not fit") {
+  using Catch::Matchers::Contains;
+  const Loop loop = Graph<Kernel>().loop(pentagon<Kernel>());
+  const Patch patch = MP::fill_with_S_patch(loop);
+  // a loop with another boundary, one of too high a degree, and one with another number of sides
+  const Loop other = Graph<Kernel>{1, 0, -1, 0.001, 0}.loop(pentagon<Kernel>());
+  CHECK_THROWS_WITH(Patch(patch.net(), other, patch.coordinates()),
+                    Contains("not that of the ribbon of side 0"));
+  std::vector<Ribbon> ribbons = loop.ribbons();
+  ribbons[2] = ribbons[2].elevated(7);
+  CHECK_THROWS_WITH(Patch(patch.net(), Loop(ribbons), patch.coordinates()),
+                    Contains("the ribbon of side 2 has degree 7"));
+  const Loop square = Graph<Kernel>().loop({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+  CHECK_THROWS_AS(Patch(patch.net(), square, patch.coordinates()), MP::Input_error);
+  CHECK_THROWS_AS(Patch(MP::fill_with_S_patch(square).net(), patch.coordinates()), MP::Input_error);
+  CHECK_THROWS_AS(MP::fill_with_S_patch(square, patch.coordinates()), MP::Input_error);
+
+  ribbons = loop.ribbons();
+  ribbons[3] =
+      Ribbon(3, 1, {ribbons[3].control_points().begin(), ribbons[3].control_points().begin() + 4});
+  CHECK_THROWS_WITH(MP::fill_with_S_patch(Loop(ribbons)), Contains("side 3 has a single layer"));
+  // a ribbon that leads outwards
+  ribbons = loop.ribbons();
+  std::vector<Point_3> points = ribbons[1].control_points();
+  for (std::size_t j = 0; j < 4; ++j)
+    points[4 + j] = points[j] - (points[4 + j] - points[j]);
+  ribbons[1] = Ribbon(3, 2, points);
+  CHECK_THROWS_AS(MP::fill_with_S_patch(Loop(ribbons), patch.coordinates()), MP::Input_error);
+  // corners at which the boundary goes straight on, of the domain and of the loop
+  const Mean_value with_straight_corner(Domain({{0, 0}, {1, 0}, {2, 0}, {2, 2}, {0, 2}}));
+  CHECK_THROWS_WITH(MP::fill_with_S_patch(loop, with_straight_corner),
+                    Contains("corner 1 of the domain is straight"));
+  const Loop straight = Graph<Kernel>().loop({{0, 0}, {1, 0}, {2, 0}, {2, 2}, {0, 2}});
+  CHECK_THROWS_WITH(MP::fill_with_S_patch(straight), Contains("corner 1 span no tangent plane"));
+}
