@@ -14,10 +14,12 @@
  */
 
 #include <CGAL/Multisided_patches/IO/CGB.h>
+#include <CGAL/Multisided_patches/IO/GBP.h>
 #include <CGAL/Multisided_patches/IO/polygon_file.h>
 #include <CGAL/Multisided_patches/analysis/boundary_deviation.h>
 #include <CGAL/Multisided_patches/analysis/check_mesh.h>
 #include <CGAL/Multisided_patches/analysis/continuity_report.h>
+#include <CGAL/Multisided_patches/analysis/fairness_report.h>
 #include <CGAL/Multisided_patches/analysis/mesh_topology.h>
 #include <CGAL/Multisided_patches/analysis/rounding_report.h>
 #include <CGAL/Multisided_patches/bases/contact_order.h>
@@ -25,12 +27,24 @@
 #include <CGAL/Multisided_patches/coordinates/Mean_value_coordinates_2.h>
 #include <CGAL/Multisided_patches/coordinates/Wachspress_coordinates_2.h>
 #include <CGAL/Multisided_patches/domains/make_domain.h>
+#include <CGAL/Multisided_patches/domains/make_regular_domain.h>
 #include <CGAL/Multisided_patches/meshing/is_valid_domain_mesh.h>
 #include <CGAL/Multisided_patches/meshing/tessellate.h>
 #include <CGAL/Multisided_patches/meshing/tessellate_complex.h>
 #include <CGAL/Multisided_patches/meshing/triangulate_domain.h>
+#include <CGAL/Multisided_patches/patches/Bezier_triangle_3.h>
 #include <CGAL/Multisided_patches/patches/Concave_bezier_patch_3.h>
+#include <CGAL/Multisided_patches/patches/Generalized_bezier_patch_3.h>
+#include <CGAL/Multisided_patches/patches/S_patch_3.h>
 #include <CGAL/Multisided_patches/patches/Surface_geometry_3.h>
+#include <CGAL/Multisided_patches/patches/Tensor_product_patch_3.h>
+#include <CGAL/Multisided_patches/patches/central_control_point.h>
+#include <CGAL/Multisided_patches/patches/fill_with_S_patch.h>
+#include <CGAL/Multisided_patches/ribbons/Bezier_curve_3.h>
+#include <CGAL/Multisided_patches/ribbons/Bspline_curve_3.h>
 #include <CGAL/Multisided_patches/ribbons/Ribbon_loop_3.h>
+#include <CGAL/Multisided_patches/ribbons/elevate_net.h>
+#include <CGAL/Multisided_patches/ribbons/make_generalized_bezier_net.h>
+#include <CGAL/Multisided_patches/ribbons/merge_loops.h>
 
 #endif // CGAL_MULTISIDED_PATCHES_H

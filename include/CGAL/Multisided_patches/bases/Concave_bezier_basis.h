@@ -74,8 +74,8 @@ public:
       offsets_.push_back(ribbon_points_);
       ribbon_points_ += (blending_[i].degree + 1) * blending_[i].layers;
     }
-    for (const std::size_t i : corners_)
-      CGAL_precondition(i < number_of_sides());
+    CGAL_precondition(std::all_of(corners_.begin(), corners_.end(),
+                                  [this](std::size_t i) { return i < number_of_sides(); }));
   }
 
   std::size_t number_of_sides() const { return blending_.size(); }
