@@ -98,6 +98,7 @@ Model_plan star_knob() {
   }
   plan.central_weight = MP::Central_weight::full_product;
   plan.generator = MP::Domain_generator::similarity_outer;
+  plan.has_corner_control_points = true; // the gaps between the lobes are sharp
   return plan;
 }
 
@@ -232,6 +233,8 @@ Model_plan plus_hub() {
       }
       plan.stops.push_back({x, y, j == 2 ? reflex : convex});
     }
+  // Without a central point the patch has bumps at its reflex corners.
+  plan.central_weight = MP::Central_weight::weight_deficiency;
   plan.reach = 40;
   plan.generator = MP::Domain_generator::projected;
   return plan;

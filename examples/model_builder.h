@@ -61,6 +61,7 @@ struct Model_plan {
   MP::Central_weight central_weight = MP::Central_weight::none;
   MP::Domain_generator generator = MP::Domain_generator::similarity;
   double clearance = 0.05;
+  bool has_corner_control_points = false; // at reflex corners
 };
 
 // Builds the ribbons of a plan. In the plane every ribbon is a strip σ(s,h) = P(s) + h E(s), where
@@ -88,6 +89,10 @@ public:
     model.central_weight = plan_.central_weight;
     model.domain.generator = plan_.generator;
     model.domain.clearance = plan_.clearance;
+    if (plan_.has_corner_control_points)
+      for (const auto& corner : model.default_corner_control_points())
+        model.corner_control_points.push_back(
+            {corner.index, to_point({corner.point.x(), corner.point.y(), corner.point.z()})});
     return model;
   }
 
