@@ -18,14 +18,14 @@ using Wachspress = MP::Wachspress_coordinates_2<Kernel>;
 } // namespace
 
 Any_coordinates make_coordinates(Coordinates_choice choice, const Domain& domain,
-                                 double target_error) {
+                                 double target_error, double acceptable_error) {
   switch (choice) {
   case Coordinates_choice::mean_value:
     return Any_coordinates(std::in_place_type<Mean_value>, domain);
   case Coordinates_choice::wachspress:
     return Any_coordinates(std::in_place_type<Wachspress>, domain);
   default:
-    return Any_coordinates(std::in_place_type<Harmonic>, domain, target_error);
+    return Any_coordinates(std::in_place_type<Harmonic>, domain, target_error, acceptable_error);
   }
 }
 

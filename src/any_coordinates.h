@@ -24,9 +24,11 @@ using Any_coordinates = std::variant<CGAL::Multisided_patches::Harmonic_coordina
 
 constexpr double default_target_error = 1e-8;
 
-// The target is that of harmonic coordinates; others are as exact as their formulas.
+// The errors are those of harmonic coordinates, what is wanted and, if it is larger, what will do;
+// others are as exact as their formulas.
 Any_coordinates make_coordinates(Coordinates_choice choice, const Domain& domain,
-                                 double target_error = default_target_error);
+                                 double target_error = default_target_error,
+                                 double acceptable_error = 0);
 
 // That of harmonic coordinates; others have none.
 std::optional<double> error_bound(const Any_coordinates& coordinates);

@@ -30,11 +30,11 @@ struct Side_outline {
   std::array<Kernel::Point_3, 5> points; // evenly spaced in the parameter
 };
 
-std::vector<Side_outline> outlines(const std::vector<Model>& models) {
+std::vector<Side_outline> outlines(const std::vector<Any_patch>& patches) {
   std::vector<Side_outline> result;
-  for (std::size_t k = 0; k < models.size(); ++k)
-    for (std::size_t i = 0; i < models[k].loop.size(); ++i) {
-      const auto& ribbon = models[k].loop[i];
+  for (std::size_t k = 0; k < patches.size(); ++k)
+    for (std::size_t i = 0; i < patches[k].loop().size(); ++i) {
+      const auto& ribbon = patches[k].loop()[i];
       Side_outline outline{k, i, ribbon.arc_length(), {}};
       for (std::size_t j = 0; j < 5; ++j)
         outline.points[j] = ribbon.boundary_point(static_cast<double>(j) / 4);
@@ -55,8 +55,7 @@ bool are_alike(const Side_outline& a, const Side_outline& b) {
   return same || reversed;
 }
 
-template <typename Patch>
-void check_patches(const std::vector<Patch>& patches, const Check_options& options,
+void check_patches(const std::vector<Any_patch>& patches, const Check_options& options,
                    Check_report& report) {
   for (std::size_t k = 0; k < patches.size(); ++k) {
     report.patches[k].diagonal = patches[k].loop().diagonal();
@@ -64,8 +63,7 @@ void check_patches(const std::vector<Patch>& patches, const Check_options& optio
   }
 }
 
-template <typename Patch>
-void check_seams(const std::vector<Patch>& patches, const std::vector<Side_outline>& sides,
+void check_seams(const std::vector<Any_patch>& patches, const std::vector<Side_outline>& sides,
                  const Check_options& options, Check_report& report) {
   for (std::size_t a = 0; a < sides.size(); ++a)
     for (std::size_t b = a + 1; b < sides.size(); ++b) {
@@ -73,7 +71,7 @@ void check_seams(const std::vector<Patch>& patches, const std::vector<Side_outli
       const bool joined = report.sides.are_joined(x.patch, x.side, y.patch, y.side);
       if (!joined && !are_alike(x, y))
         continue;
-      const Patch &first = patches[x.patch], &second = patches[y.patch];
+      const Any_patch &first = patches[x.patch], &second = patches[y.patch];
       report.seams.push_back(
           {x.patch, y.patch, (std::max)(first.loop().diagonal(), second.loop().diagonal()), joined,
            MP::continuity_report(first, x.side, second, y.side, options.samples)});
@@ -86,8 +84,7 @@ std::size_t mesh_triangles(const Check_options& options) {
       (std::min)(default_triangles * options.inputs.size(), MP::Mesh_density::max_triangles));
 }
 
-template <typename Patch>
-void check_mesh(const MP::Patch_complex<Patch>& complex, const Check_options& options,
+void check_mesh(const MP::Patch_complex<Any_patch>& complex, const Check_options& options,
                 Check_report& report) {
   const std::size_t triangles = mesh_triangles(options);
   Mesh mesh;
@@ -96,21 +93,20 @@ void check_mesh(const MP::Patch_complex<Patch>& complex, const Check_options& op
   report.mesh.self_intersections = self_intersections(mesh);
   report.mesh.is_as_joined = is_as_joined(report.mesh.statistics, report.sides);
   const std::size_t share = (std::max)(std::size_t{1}, triangles / complex.patches().size());
-  for (const Patch& patch : complex.patches())
+  for (const Any_patch& patch : complex.patches())
     report.mesh.domain_defects.push_back(MP::domain_mesh_defect(
         patch.domain(), MP::mesh_domain(patch, MP::Mesh_density::triangles(share))));
 }
 
-template <typename Coordinates>
-void run(const Check_options& options, const std::vector<Model>& models, Stage_clock& clock,
+void run(const Check_options& options, const std::vector<Any_model>& models, Stage_clock& clock,
          Check_report& report) {
-  auto patches = clock.run("domain and coordinates",
-                           [&] { return make_patches<Coordinates>(models, options.inputs); });
-  const MP::Patch_complex<Patch<Coordinates>> complex(std::move(patches), options.inputs);
+  auto patches =
+      clock.run("domain and coordinates", [&] { return make_patches(models, options.inputs); });
+  const MP::Patch_complex<Any_patch> complex(std::move(patches), options.inputs);
   report.sides = joined_sides(complex);
   clock.run("checks", [&] {
     check_patches(complex.patches(), options, report);
-    check_seams(complex.patches(), outlines(models), options, report);
+    check_seams(complex.patches(), outlines(complex.patches()), options, report);
   });
   clock.run("meshing", [&] { check_mesh(complex, options, report); });
 }
@@ -121,8 +117,8 @@ void check_tolerance(double tolerance, const char* option) {
                           MP::internal::to_short_text(tolerance));
 }
 
-std::vector<Model> read_models(const Check_options& options, Check_report& report) {
-  const std::vector<Model> models = read_models(options.patch, options.inputs, options.quiet);
+std::vector<Any_model> read_models(const Check_options& options, Check_report& report) {
+  const std::vector<Any_model> models = read_models(options.patch, options.inputs, options.quiet);
   for (std::size_t k = 0; k < models.size(); ++k)
     report.patches.push_back({options.inputs[k], 0, {}, contact_shortfalls(models[k])});
   return models;
@@ -146,11 +142,9 @@ void check_command(const Check_options& options) {
   Check_report report;
   {
     Stage_clock clock(options.quiet);
-    const std::vector<Model> models =
+    const std::vector<Any_model> models =
         clock.run("reading", [&] { return read_models(options, report); });
-    with_coordinates(options.patch.coordinates, [&](auto type) {
-      run<typename decltype(type)::type>(options, models, clock, report);
-    });
+    run(options, models, clock, report);
   }
   output.write([&] { return check_json(options, report); }, [&] { print_table(options, report); });
   const std::vector<std::string> wrong = failures(options, report);

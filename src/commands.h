@@ -6,9 +6,10 @@
 #ifndef MULTIPATCH_COMMANDS_H
 #define MULTIPATCH_COMMANDS_H
 
+#include <CGAL/Multisided_patches/IO/Coordinates_choice.h>
+#include <CGAL/Multisided_patches/bases/Central_weight.h>
 #include <CGAL/Multisided_patches/domains/make_domain.h>
 #include <CGAL/Multisided_patches/meshing/Domain_mesh_2.h>
-#include <CGAL/Multisided_patches/patches/Concave_bezier_model_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh/Surface_mesh.h>
@@ -21,14 +22,11 @@
 namespace multipatch {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Model = CGAL::Multisided_patches::Concave_bezier_model_3<Kernel>;
 using Domain = CGAL::Multisided_patches::Polygonal_domain_2<Kernel>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Domain_mesh = CGAL::Multisided_patches::Domain_mesh_2<Kernel>;
 
-enum class Coordinates_choice { harmonic, mean_value, wachspress };
-
-const char* to_string(Coordinates_choice choice);
+using CGAL::Multisided_patches::IO::Coordinates_choice;
 
 // What a user may say about a patch beyond what its file says.
 struct Patch_options {
@@ -36,7 +34,7 @@ struct Patch_options {
   std::optional<CGAL::Multisided_patches::Domain_generator> domain;
   std::optional<double> clearance;
   std::optional<CGAL::Multisided_patches::Central_weight> central_weight;
-  Coordinates_choice coordinates = Coordinates_choice::harmonic;
+  std::optional<Coordinates_choice> coordinates;
   bool elevate = false; // degrees, as far as the layers of the ribbons need it
 };
 
@@ -88,30 +86,36 @@ struct Exact_options {
   bool quiet = false;
 };
 
-// Reads the input file and lets the options override what it says.
-Model read_model(const Patch_options& options);
+struct Convert_options {
+  std::string input, output;
+  bool lossy = false; // leave out what the format of the output cannot hold
+  bool quiet = false;
+};
 
-// The same for several files; warns of mismatches, if not asked to be quiet.
-std::vector<Model> read_models(Patch_options options, const std::vector<std::string>& inputs,
-                               bool quiet);
+struct Elevate_options {
+  std::string input, output;
+  std::optional<std::size_t> degree, layers;
+  bool quiet = false;
+};
+
+struct Merge_options {
+  std::string input_a, input_b, output;
+  bool quiet = false;
+};
 
 double degrees(double radians);
 
-// Sentences on where the patch does not have the derivatives that the layers of a ribbon promise.
-std::vector<std::string> contact_shortfalls(const Model& model);
-
-// Prints them, a line each that starts with the prefix, and what would help.
-void print_contact_shortfalls(const std::vector<Model>& models,
-                              const std::vector<std::string>& prefixes);
-
 // Throws if an index that was given with an option is not one of n sides.
 void check_index(std::size_t index, std::size_t n, const std::string& option);
+
+// The generator that made a domain, or "given" if none did.
+const char* domain_name(const CGAL::Multisided_patches::Domain_report& report);
 
 // Prints the remarks of a report, a line each that starts with the prefix.
 void print_remarks(const CGAL::Multisided_patches::Domain_report& report,
                    const std::string& prefix = "  ");
 
-// The six commands. They throw CGAL::Multisided_patches::Error on bad input.
+// The commands. They throw CGAL::Multisided_patches::Error on bad input.
 void mesh_command(const Mesh_options& options);
 void info_command(const std::string& input);
 void domain_command(const Domain_picture_options& options);
@@ -119,6 +123,10 @@ void coordinates_command(const Coordinates_options& options);
 // Throws an error, too, if a tolerance is exceeded or a mesh has defects.
 void check_command(const Check_options& options);
 void exact_command(const Exact_options& options);
+// Nothing is written if they fail.
+void convert_command(const Convert_options& options);
+void elevate_command(const Elevate_options& options);
+void merge_command(const Merge_options& options);
 
 } // namespace multipatch
 

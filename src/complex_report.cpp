@@ -18,9 +18,9 @@ namespace {
 
 Json patch_json(const Mesh_job& job, const Complex_report& report, std::size_t k) {
   return {{"input", job.options.inputs[k]},
-          {"model", model_json(job.models[k])},
-          {"domain", domain_json(report.patches[k].domain)},
-          {"coordinates", coordinates_json(job.options, report.patches[k])},
+          {"model", model_json(job.models[k], report.patches[k])},
+          {"domain", domain_json(report.patches[k].origin().domain)},
+          {"coordinates", coordinates_json(report.patches[k].origin())},
           {"triangles", report.mesh.patches[k].faces},
           {"is_disk", report.mesh.patches[k].is_disk()}};
 }
@@ -38,7 +38,7 @@ void print_report(const Mesh_job& job, const Complex_report& report) {
   std::vector<std::string> prefixes;
   for (std::size_t k = 0; k < job.models.size(); ++k) {
     prefixes.push_back("  " + job.options.inputs[k] + ": ");
-    print_remarks(report.patches[k].domain, prefixes[k]);
+    print_remarks(report.patches[k].origin().domain, prefixes[k]);
   }
   print_contact_shortfalls(job.models, prefixes);
 }

@@ -15,7 +15,7 @@ namespace multipatch {
 
 // What is worth knowing about the finished mesh of several patches.
 struct Complex_report {
-  std::vector<Patch_report> patches;
+  std::vector<Any_patch> patches;
   Joined_sides sides;
   Mesh_statistics mesh;
 };

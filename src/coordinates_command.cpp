@@ -48,8 +48,6 @@ void check_options(const Coordinates_options& options, Format format) {
   only_for(!options.at.empty(), "--at", table, ".csv files");
   only_for(options.derivatives.has_value(), "--derivatives", table, ".csv files");
   only_for(options.vertex.has_value(), "--vertex", !table, ".svg files");
-  only_for(options.target_error.has_value(), "--target-error",
-           options.patch.coordinates == Coordinates_choice::harmonic, "harmonic coordinates");
   if (options.target_error && !(*options.target_error > 0 && *options.target_error < 1))
     throw MP::Input_error("--target-error must be between 0 and 1, not " +
                           MP::internal::to_short_text(*options.target_error));
@@ -69,11 +67,14 @@ void check_domain(const Coordinates_options& options, const Domain_input& input)
   constexpr std::size_t max_harmonic = 1000; // more would take too much time and memory
   const Domain& domain = input.domain;
   const std::string& name = options.patch.input;
-  if (options.patch.coordinates == Coordinates_choice::harmonic && domain.size() > max_harmonic)
+  const bool is_harmonic = input.coordinates == Coordinates_choice::harmonic;
+  if (options.target_error && !is_harmonic)
+    throw MP::Input_error("--target-error is for harmonic coordinates only");
+  if (is_harmonic && domain.size() > max_harmonic)
     throw MP::Input_error(name + ": " + std::to_string(domain.size()) +
                           " vertices are too many for harmonic coordinates; the limit is " +
                           std::to_string(max_harmonic) + ", but not for mean-value coordinates");
-  if (options.patch.coordinates != Coordinates_choice::wachspress)
+  if (input.coordinates != Coordinates_choice::wachspress)
     return;
   const auto fail = [&](const std::string& reason) {
     throw MP::Input_error(name + ": Wachspress coordinates need a strictly convex domain, and " +
@@ -152,8 +153,7 @@ std::size_t draw(const Coordinates_options& options, const Domain_input& input,
       "evaluation", [&] { return evaluate(coordinates, vertices, 0, located_points(mesh)); });
   clock.run("writing", [&] {
     MP::internal::Atomic_file file(options.output);
-    write_coordinates_svg(file.stream(), input, mesh, drawn, values,
-                          to_string(options.patch.coordinates));
+    write_coordinates_svg(file.stream(), input, mesh, drawn, values, to_string(input.coordinates));
     file.commit();
   });
   return mesh.points.size();
@@ -165,12 +165,11 @@ void print_summary(const Coordinates_options& options, const Domain_input& input
   const Domain& domain = input.domain;
   std::printf("%s: %zu sides, %zu loop%s, %zu points; %s coordinates", options.output.c_str(),
               domain.size(), domain.number_of_loops(), domain.number_of_loops() == 1 ? "" : "s",
-              points, to_string(options.patch.coordinates));
+              points, to_string(input.coordinates));
   if (const auto bound = error_bound(coordinates))
     std::printf(", error bound %.2g", *bound);
   if (input.report)
-    std::printf("; domain %s, clearance %.3g", to_string(input.report->used),
-                input.report->clearance);
+    std::printf("; domain %s, clearance %.3g", domain_name(*input.report), input.report->clearance);
   std::printf("; setup %.3f s, evaluation %.3f s\n", clock.seconds("setup"),
               clock.seconds("evaluation"));
   if (input.report)
@@ -196,7 +195,7 @@ void coordinates_command(const Coordinates_options& options) {
   check_files(options);
 
   const Any_coordinates coordinates = clock.run("setup", [&] {
-    return make_coordinates(options.patch.coordinates, input.domain,
+    return make_coordinates(input.coordinates, input.domain,
                             options.target_error.value_or(default_target_error));
   });
   const std::vector<std::size_t> drawn = drawn_vertices(options, input.domain.size());

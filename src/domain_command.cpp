@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "any_coordinates.h"
+#include "any_model.h"
 #include "commands.h"
 #include "sample_domain.h"
 #include "svg.h"
@@ -14,6 +15,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <variant>
 
 namespace multipatch {
 
@@ -27,7 +29,8 @@ struct Samples {
 };
 
 template <typename Coordinates>
-Samples sample(const Coordinates& coordinates, const Domain_mesh& mesh, double dilation,
+Samples sample(const Coordinates& coordinates, const Domain_mesh& mesh,
+               const MP::Side_parameter_options& side_options,
                const Domain_picture_options& options) {
   using Jet = MP::Jet_2<double, 0>;
   const Domain& domain = coordinates.domain();
@@ -36,7 +39,7 @@ Samples sample(const Coordinates& coordinates, const Domain_mesh& mesh, double d
   Samples samples;
   for (std::size_t k = 0; k < mesh.points.size(); ++k) {
     coordinates.template evaluate<0>(mesh.points[k], mesh.locations[k], lambda.data());
-    MP::compute_side_parameters(domain, lambda.data(), dilation, parameters);
+    MP::compute_side_parameters(domain, lambda.data(), side_options, parameters);
     // Where neither end of the side has any weight, s is not defined and no line is drawn.
     const std::size_t i = options.side;
     const bool defined = lambda[i].value() + lambda[domain.next(i)].value() > 0;
@@ -47,22 +50,30 @@ Samples sample(const Coordinates& coordinates, const Domain_mesh& mesh, double d
   return samples;
 }
 
+MP::Side_parameter_options side_parameter_options(const Any_model& model) {
+  const auto* concave = std::get_if<Concave_model>(&model);
+  return concave != nullptr
+             ? MP::Side_parameter_options(concave->parameter_dilation, concave->reflex_weight)
+             : MP::Side_parameter_options();
+}
+
 } // namespace
 
 void domain_command(const Domain_picture_options& options) {
   if (MP::internal::file_extension(options.output) != ".svg")
     throw MP::Input_error(options.output + ": expected a name that ends in .svg");
-  const Model model = read_model(options.patch);
-  check_index(options.side, model.loop.size(), "--side");
-  check_index(options.coordinate, model.loop.size(), "--coordinate");
+  const Any_model model = read_model(options.patch);
+  check_index(options.side, number_of_sides(model), "--side");
+  check_index(options.coordinate, number_of_sides(model), "--coordinate");
   MP::internal::check_different(options.output, options.patch.input);
   MP::internal::check_writable(options.output);
 
-  const auto [domain, report] = MP::make_domain(model.loop, model.domain);
+  const auto [domain, report] = make_domain(model);
   const Domain_mesh mesh = sample_domain(domain, picture_points);
-  const Samples samples =
-      std::visit([&](const auto& c) { return sample(c, mesh, model.parameter_dilation, options); },
-                 make_coordinates(options.patch.coordinates, domain));
+  const Coordinates_choice choice = coordinates(model).value_or(own_coordinates);
+  const Samples samples = std::visit(
+      [&](const auto& c) { return sample(c, mesh, side_parameter_options(model), options); },
+      make_coordinates(choice, domain));
 
   MP::internal::Atomic_file file(options.output);
   std::ostream& out = file.stream();
@@ -70,7 +81,7 @@ void domain_command(const Domain_picture_options& options) {
   begin_svg(out, domain, 3);
 
   Svg_panel shape(out, domain, 0);
-  shape.title(std::string(to_string(report.used)) + " domain: blue convex, red reflex corners");
+  shape.title(std::string(domain_name(report)) + " domain: blue convex, red reflex corners");
   shape.area();
   shape.outline();
   shape.corners();
@@ -86,7 +97,7 @@ void domain_command(const Domain_picture_options& options) {
   parameters.side(options.side, "black");
 
   Svg_panel coordinate(out, domain, 2);
-  coordinate.title(std::string(to_string(options.patch.coordinates)) + " coordinate of vertex " +
+  coordinate.title(std::string(to_string(choice)) + " coordinate of vertex " +
                    std::to_string(options.coordinate) + ", step 0.1");
   coordinate.area();
   coordinate.isolines(mesh, samples.lambda, levels, "#7a3fa0");
@@ -94,7 +105,7 @@ void domain_command(const Domain_picture_options& options) {
   coordinate.corners();
   end_svg(out);
   file.commit();
-  std::printf("%s: domain %s, clearance %.3g\n", options.output.c_str(), to_string(report.used),
+  std::printf("%s: domain %s, clearance %.3g\n", options.output.c_str(), domain_name(report),
               report.clearance);
   print_remarks(report);
 }

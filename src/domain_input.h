@@ -16,11 +16,12 @@
 
 namespace multipatch {
 
-// A domain as an input file gives it: a polygon file as it is, a .cgb file by way of its patch.
+// A domain as an input file gives it: a polygon file as it is, that of a patch as it is made.
 struct Domain_input {
   Domain domain;
   // Vertex i of the user is vertex vertices[i] of the domain.
   std::vector<std::size_t> vertices;
+  Coordinates_choice coordinates; // the ones that are asked for
   // how the domain of a patch was made
   std::optional<CGAL::Multisided_patches::Domain_report> report;
 };

@@ -3,13 +3,12 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "commands.h"
+#include "any_model.h"
 #include "report_output.h"
 
 #include <CGAL/Multisided_patches/analysis/rounding_report.h>
 #include <CGAL/Multisided_patches/coordinates/Mean_value_coordinates_2.h>
 #include <CGAL/Multisided_patches/coordinates/Wachspress_coordinates_2.h>
-#include <CGAL/Multisided_patches/domains/make_domain.h>
 #include <CGAL/Multisided_patches/patches/Concave_bezier_patch_3.h>
 
 #include <CGAL/Exact_rational.h>
@@ -20,6 +19,7 @@
 #include <cstdio>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace multipatch {
@@ -54,13 +54,13 @@ struct Comparison {
 };
 
 template <typename Reference, typename Coordinates>
-MP::Rounding_report compare(const Model& model, const Domain& domain,
+MP::Rounding_report compare(const Concave_model& model, const Domain& domain,
                             const std::vector<Sample>& samples) {
   const MP::Concave_bezier_patch_3<Kernel, Coordinates> patch(model, Coordinates(domain));
   return MP::rounding_report<Reference>(patch, samples);
 }
 
-Comparison compare(const Model& model, const Domain& domain, std::size_t number_inside) {
+Comparison compare(const Concave_model& model, const Domain& domain, std::size_t number_inside) {
   std::vector<Sample> samples = MP::domain_samples(domain, number_inside);
   Comparison result;
   if (domain.is_strictly_convex())
@@ -115,9 +115,14 @@ std::string to_json(const Comparison& comparison, const std::string& input) {
 
 void exact_command(const Exact_options& options) {
   const Report_output output(options.json, options.quiet, {options.patch.input});
-  const Model model = read_model(options.patch);
-  const Domain domain = MP::make_domain(model.loop, model.domain).domain;
-  const Comparison comparison = compare(model, domain, options.samples);
+  const Any_model model = read_model(options.patch);
+  const auto* concave = std::get_if<Concave_model>(&model);
+  if (concave == nullptr)
+    throw MP::Input_error(
+        options.patch.input +
+        ": expected a concave generalized Bezier patch, found: " + type_name(model));
+  const Domain domain = make_domain(model).domain;
+  const Comparison comparison = compare(*concave, domain, options.samples);
   output.write([&] { return to_json(comparison, options.patch.input); },
                [&] { print(comparison); });
 }

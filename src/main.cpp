@@ -24,6 +24,9 @@ namespace {
 namespace MP = CGAL::Multisided_patches;
 using namespace multipatch;
 
+constexpr const char* patch_help = "the patch, a .cgb, .gbp or .patch.json file";
+constexpr const char* patches_help = "the patches, .cgb, .gbp or .patch.json files";
+
 void add_domain_options(CLI::App& command, Patch_options& options) {
   static const std::map<std::string, MP::Domain_generator> domains{
       {"automatic", MP::Domain_generator::automatic},
@@ -51,8 +54,9 @@ void add_domain_options(CLI::App& command, Patch_options& options) {
       ->type_name("X");
   command
       .add_option("--coordinates", options.coordinates,
-                  "barycentric coordinates: harmonic (default, any domain), mean-value\n"
-                  "(any domain), wachspress (convex domains)")
+                  "barycentric coordinates: harmonic (any domain, default for .cgb files),\n"
+                  "mean-value (any domain), wachspress (convex domains, default for .gbp\n"
+                  "files)")
       ->transform(CLI::Transformer(coordinates).description(""))
       ->transform(CLI::IsMember(coordinates).description(""))
       ->type_name("NAME");
@@ -68,7 +72,8 @@ void add_patch_options(CLI::App& command, Patch_options& options) {
   add_domain_options(command, options);
   command
       .add_option("--central-weight", options.central_weight,
-                  "weight of the central control point (default: as the file says):\n"
+                  "weight of the central control point of a concave generalized Bezier patch\n"
+                  "(default: as the file says):\n"
                   "weight-deficiency, none, adjacent-products, full-product")
       ->transform(CLI::Transformer(central_weights).description(""))
       ->transform(CLI::IsMember(central_weights).description(""))
@@ -76,7 +81,7 @@ void add_patch_options(CLI::App& command, Patch_options& options) {
 }
 
 void add_input(CLI::App& command, Patch_options& options) {
-  command.add_option("INPUT", options.input, "the patch, a .cgb file")->required();
+  command.add_option("INPUT", options.input, patch_help)->required();
 }
 
 void add_density_options(CLI::App& command, Mesh_options& options) {
@@ -110,7 +115,7 @@ void add_mesh_command(CLI::App& app, Mesh_options& options) {
   CLI::App& command =
       *app.add_subcommand("mesh", "make a triangle mesh of a patch, or one of several patches,\n"
                                   "without gaps along the sides that they share");
-  command.add_option("INPUT", options.inputs, "the patches, .cgb files")->required();
+  command.add_option("INPUT", options.inputs, patches_help)->required();
   add_patch_options(command, options.patch);
   command
       .add_option("-o,--output", options.output,
@@ -133,7 +138,7 @@ void add_mesh_command(CLI::App& app, Mesh_options& options) {
 void add_info_command(CLI::App& app, std::string& input) {
   CLI::App& command =
       *app.add_subcommand("info", "print the sides and corners of a patch, and its domain");
-  command.add_option("INPUT", input, "the patch, a .cgb file")->required();
+  command.add_option("INPUT", input, patch_help)->required();
   command.callback([&input] { info_command(input); });
 }
 
@@ -165,8 +170,8 @@ void add_coordinates_command(CLI::App& app, Coordinates_options& options) {
                      "a patch,\nor on any polygon");
   command
       .add_option("INPUT", options.patch.input,
-                  "a patch, a .cgb file; or a polygon: two numbers a line, blank\n"
-                  "lines between the outer loop and the holes")
+                  "a patch, a .cgb, .gbp or .patch.json file; or a polygon: two\n"
+                  "numbers a line, blank lines between the outer loop and the holes")
       ->required();
   add_domain_options(command, options.patch);
   command
@@ -222,7 +227,7 @@ void add_check_command(CLI::App& app, Check_options& options) {
       "check", "measure how smoothly patches meet their ribbons, and each other where they\nhave "
                "sides in common, and mesh them; fails if tolerances are exceeded or the\nmesh "
                "intersects itself or has degenerate or folded triangles");
-  command.add_option("INPUT", options.inputs, "the patches, .cgb files")->required();
+  command.add_option("INPUT", options.inputs, patches_help)->required();
   add_patch_options(command, options.patch);
   command.add_flag("--elevate", options.patch.elevate, "raise degrees, as the command mesh does");
   command
@@ -270,6 +275,63 @@ void add_exact_command(CLI::App& app, Exact_options& options) {
   command.callback([&options] { exact_command(options); });
 }
 
+void add_output(CLI::App& command, std::string& output) {
+  command
+      .add_option("-o,--output", output,
+                  "the file to write; the name ends in .cgb, .gbp or .patch.json")
+      ->required()
+      ->type_name("FILE");
+}
+
+void add_convert_command(CLI::App& app, Convert_options& options) {
+  CLI::App& command = *app.add_subcommand(
+      "convert", "write a patch in another format; a .patch.json file holds patches of every\n"
+                 "type with all their options");
+  command.add_option("INPUT", options.input, patch_help)->required();
+  command
+      .add_option("OUTPUT", options.output,
+                  "the file to write; the name ends in .cgb, .gbp or .patch.json. A .gbp\n"
+                  "file becomes a .cgb file with the ribbons of its net")
+      ->required();
+  command.add_flag("--lossy", options.lossy,
+                   "leave out what the format cannot hold, instead of failing");
+  command.add_flag("-q,--quiet", options.quiet, "print nothing but errors");
+  command.callback([&options] { convert_command(options); });
+}
+
+void add_elevate_command(CLI::App& app, Elevate_options& options) {
+  CLI::App& command = *app.add_subcommand(
+      "elevate", "raise degrees, and numbers of layers of ribbons; what the boundary determines\n"
+                 "stays");
+  command.add_option("INPUT", options.input, patch_help)->required();
+  add_output(command, options.output);
+  command
+      .add_option("--degree", options.degree,
+                  "the degree, of ribbons with a lower one; for S-patches the depth")
+      ->check(CLI::Range(std::size_t{1}, MP::IO::CGB_limits::max_degree).description(""))
+      ->type_name("N");
+  command
+      .add_option("--layers", options.layers, "the number of layers, of ribbons with fewer ones")
+      ->check(CLI::Range(std::size_t{1}, MP::IO::CGB_limits::max_layers).description(""))
+      ->type_name("N");
+  command.add_flag("-q,--quiet", options.quiet, "print nothing but errors");
+  command.callback([&options] { elevate_command(options); });
+}
+
+void add_merge_command(CLI::App& app, Merge_options& options) {
+  CLI::App& command = *app.add_subcommand(
+      "merge", "make one patch of the ribbons around two that share boundary curves");
+  command.add_option("A", options.input_a, patch_help)->required();
+  command.add_option("B", options.input_b, "another one")->required();
+  command
+      .add_option("-o,--output", options.output,
+                  "the file to write; the name ends in .cgb or .patch.json")
+      ->required()
+      ->type_name("FILE");
+  command.add_flag("-q,--quiet", options.quiet, "print nothing but errors");
+  command.callback([&options] { merge_command(options); });
+}
+
 int report_error(const std::string& message) {
   std::cerr << "multipatch: " << message << '\n';
   return failure;
@@ -294,12 +356,18 @@ int main(int argc, char* argv[]) {
   Coordinates_options coordinates;
   Check_options check;
   Exact_options exact;
+  Convert_options convert;
+  Elevate_options elevate;
+  Merge_options merge;
   add_mesh_command(app, mesh);
   add_info_command(app, info_input);
   add_domain_command(app, domain);
   add_coordinates_command(app, coordinates);
   add_check_command(app, check);
   add_exact_command(app, exact);
+  add_convert_command(app, convert);
+  add_elevate_command(app, elevate);
+  add_merge_command(app, merge);
 
   try {
     app.parse(argc, argv);

@@ -16,16 +16,11 @@ namespace MP = CGAL::Multisided_patches;
 
 namespace {
 
-template <typename Coordinates>
 void run(Mesh_job& job, Mesh& mesh, Complex_report& report) {
-  auto patches = job.clock.run("domain and coordinates", [&] {
-    return make_patches<Coordinates>(job.models, job.options.inputs);
-  });
-  for (const auto& patch : patches)
-    report.patches.push_back({patch.domain_report(), error_bound(patch.coordinates())});
-  const auto complex = job.clock.run("joining", [&] {
-    return MP::Patch_complex<Patch<Coordinates>>(std::move(patches), job.options.inputs);
-  });
+  report.patches = job.clock.run("domain and coordinates",
+                                 [&] { return make_patches(job.models, job.options.inputs); });
+  const auto complex = job.clock.run(
+      "joining", [&] { return MP::Patch_complex<Any_patch>(report.patches, job.options.inputs); });
   report.sides = joined_sides(complex);
   // No progress is shown: each patch would report its own.
   job.clock.run("meshing", [&] { MP::tessellate(complex, mesh, job.density); });
@@ -37,8 +32,7 @@ void run(Mesh_job& job, Mesh& mesh, Complex_report& report) {
 void mesh_complex(Mesh_job& job) {
   Mesh mesh;
   Complex_report report;
-  with_coordinates(job.options.patch.coordinates,
-                   [&](auto type) { run<typename decltype(type)::type>(job, mesh, report); });
+  run(job, mesh, report);
   require_sound(report.mesh.patches.size() == job.models.size() &&
                     is_as_joined(report.mesh, report.sides),
                 job.options);

@@ -6,6 +6,7 @@
 #ifndef MULTIPATCH_MESH_JOB_H
 #define MULTIPATCH_MESH_JOB_H
 
+#include "any_model.h"
 #include "commands.h"
 #include "stage_clock.h"
 
@@ -20,7 +21,7 @@ struct Mesh_job {
   const Mesh_options& options;
   CGAL::Multisided_patches::Mesh_density density;
   Stage_clock clock;
-  std::vector<Model> models = {};
+  std::vector<Any_model> models = {};
 };
 
 // Mesh a single patch, or several that may have sides in common; check, write and report.

@@ -17,21 +17,19 @@ namespace MP = CGAL::Multisided_patches;
 
 namespace {
 
-template <typename Coordinates>
 void run(Mesh_job& job, Mesh& mesh, Mesh_report& report) {
   Progress_visitor visitor{&job.clock};
-  const auto patches = job.clock.run("domain and coordinates", [&] {
-    return make_patches<Coordinates>(job.models, job.options.inputs);
+  report.patch = job.clock.run("domain and coordinates", [&] {
+    return make_patches(job.models, job.options.inputs).front();
   });
-  const auto& patch = patches.front();
+  const Any_patch& patch = *report.patch;
   const auto domain_mesh =
       job.clock.run("meshing", [&] { return MP::mesh_domain(patch, job.density, visitor); });
   job.clock.run("evaluation",
                 [&] { MP::tessellate(patch, domain_mesh, mesh, MP::Default_maps(), visitor); });
   job.clock.run("checks", [&] {
-    report.patch = {patch.domain_report(), error_bound(patch.coordinates())};
     report.mesh = measure(mesh);
-    report.boundary = MP::boundary_deviation(job.models.front().loop, domain_mesh, mesh);
+    report.boundary = MP::boundary_deviation(patch.loop(), domain_mesh, mesh);
     report.boundary_vertices = domain_mesh.number_of_boundary_points;
   });
 }
@@ -41,8 +39,7 @@ void run(Mesh_job& job, Mesh& mesh, Mesh_report& report) {
 void mesh_patch(Mesh_job& job) {
   Mesh mesh;
   Mesh_report report;
-  with_coordinates(job.options.patch.coordinates,
-                   [&](auto type) { run<typename decltype(type)::type>(job, mesh, report); });
+  run(job, mesh, report);
   require_sound(report.mesh.is_disk(), job.options);
   job.clock.run("writing", [&] { MP::IO::write_mesh(job.options.output, mesh); });
   if (!job.options.report.empty())

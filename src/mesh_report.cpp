@@ -32,25 +32,25 @@ Json boundary_json(const MP::Boundary_deviation& boundary, double diagonal) {
 } // namespace
 
 void print_report(const Mesh_job& job, const Mesh_report& report) {
-  const MP::Domain_report& domain = report.patch.domain;
+  const MP::Domain_report& domain = report.patch->origin().domain;
   std::printf("%s: %zu triangles, %zu vertices; domain %s, clearance %.3g; %.2f s\n",
               job.options.output.c_str(), report.mesh.triangles, report.mesh.vertices,
-              to_string(domain.used), domain.clearance, job.clock.total_seconds());
+              domain_name(domain), domain.clearance, job.clock.total_seconds());
   print_remarks(domain);
   print_contact_shortfalls(job.models, {"  "});
 }
 
 void write_report(const Mesh_job& job, const Mesh_report& report) {
-  const Model& model = job.models.front();
+  const Any_patch& patch = *report.patch;
   write_json(job.options.report,
              {{"input", job.options.inputs.front()},
               {"output", job.options.output},
-              {"model", model_json(model)},
-              {"domain", domain_json(report.patch.domain)},
-              {"coordinates", coordinates_json(job.options, report.patch)},
+              {"model", model_json(job.models.front(), patch)},
+              {"domain", domain_json(patch.origin().domain)},
+              {"coordinates", coordinates_json(patch.origin())},
               {"density", density_json(job.density)},
               {"mesh", mesh_json(report)},
-              {"boundary", boundary_json(report.boundary, model.loop.diagonal())},
+              {"boundary", boundary_json(report.boundary, patch.loop().diagonal())},
               {"seconds", seconds_json(job.clock)}});
 }
 

@@ -6,25 +6,20 @@
 #ifndef MULTIPATCH_MESH_REPORT_H
 #define MULTIPATCH_MESH_REPORT_H
 
+#include "any_patch.h"
 #include "mesh_job.h"
 #include "mesh_statistics.h"
 
 #include <CGAL/Multisided_patches/analysis/boundary_deviation.h>
-#include <CGAL/Multisided_patches/domains/make_domain.h>
 
+#include <cstddef>
 #include <optional>
 
 namespace multipatch {
 
-// How a patch came about.
-struct Patch_report {
-  CGAL::Multisided_patches::Domain_report domain;
-  std::optional<double> coordinates_error_bound;
-};
-
 // What is worth knowing about the finished mesh of a patch.
 struct Mesh_report {
-  Patch_report patch;
+  std::optional<Any_patch> patch; // none before it is made
   Mesh_statistics mesh;
   CGAL::Multisided_patches::Boundary_deviation boundary;
   std::size_t boundary_vertices = 0;

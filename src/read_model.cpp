@@ -3,69 +3,102 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "commands.h"
+#include "any_model.h"
+#include "model_file.h"
 
-#include <CGAL/Multisided_patches/IO/CGB.h>
 #include <CGAL/Multisided_patches/bases/contact_order.h>
 
-#include <algorithm>
 #include <cstdio>
+#include <type_traits>
+#include <variant>
 
 namespace multipatch {
 
 namespace MP = CGAL::Multisided_patches;
 
-const char* to_string(Coordinates_choice choice) {
-  switch (choice) {
-  case Coordinates_choice::harmonic:
-    return "harmonic";
-  case Coordinates_choice::mean_value:
-    return "mean-value";
-  case Coordinates_choice::wachspress:
-    return "wachspress";
-  }
-  return "";
-}
-
 namespace {
 
 // Says on standard error where no surface can meet both ribbons of a corner.
-void warn_of_mismatches(const Model& model, const std::string& prefix) {
+void warn_of_mismatches(const Any_model& model, const std::string& prefix) {
   constexpr double tolerable = 1; // degree
-  for (std::size_t i = 0; i < model.loop.size(); ++i) {
-    const double mismatch = degrees(model.loop.corner_normal_mismatch(i));
+  const auto* concave = std::get_if<Concave_model>(&model);
+  if (concave == nullptr) // ribbons that come from one net agree
+    return;
+  for (std::size_t i = 0; i < concave->loop.size(); ++i) {
+    const double mismatch = degrees(concave->loop.corner_normal_mismatch(i));
     if (mismatch > tolerable)
       std::fprintf(stderr,
                    "multipatch: warning: %sthe tangent planes of sides %zu and %zu differ by %.1f "
                    "degrees at corner %zu%s\n",
-                   prefix.c_str(), model.loop.prev(i), i, mismatch, i,
+                   prefix.c_str(), concave->loop.prev(i), i, mismatch, i,
                    mismatch > 90 ? "; does one of them lead out of the hole?" : "");
   }
 }
 
-bool elevation_helps(const Model& model) {
-  const auto degrees = MP::degrees_for_contact(model.loop, model.central_weight);
-  for (std::size_t i = 0; i < model.loop.size(); ++i)
-    if (model.loop[i].degree() < degrees[i])
-      return true;
-  return false;
-}
+// Lets the options override what the file says; an option without effect is a misunderstanding,
+// which is better cleared up than passed over.
+class Override {
+public:
+  explicit Override(const Patch_options& options) : options_(options) {}
+
+  void operator()(Concave_model& model) const {
+    set_plane(model);
+    model.central_weight = options_.central_weight.value_or(model.central_weight);
+    if (options_.elevate)
+      model.loop = MP::elevated_for_contact(model.loop, model.central_weight);
+  }
+  template <typename Net>
+  void operator()(MP::IO::Net_description_3<Kernel, Net>& model) const {
+    refuse_concave_options();
+    set_plane(model);
+  }
+  void operator()(Tensor_product&) const { refuse_all("a tensor product patch"); }
+  void operator()(Triangle&) const { refuse_all("a Bezier triangle"); }
+
+private:
+  template <typename Description>
+  void set_plane(Description& model) const {
+    const bool has_vertices = !model.domain_vertices.empty();
+    refuse(options_.clearance.has_value() && has_vertices && !options_.domain, "--clearance",
+           "is for domains that are made; this one is given by its vertices");
+    if (options_.domain)
+      model.domain_vertices.clear();
+    model.domain.generator = options_.domain.value_or(model.domain.generator);
+    model.domain.clearance = options_.clearance.value_or(model.domain.clearance);
+    model.coordinates = options_.coordinates.value_or(model.coordinates);
+  }
+
+  void refuse_concave_options() const {
+    const char* reason = "is for concave generalized Bezier patches only";
+    refuse(options_.central_weight.has_value(), "--central-weight", reason);
+    refuse(options_.elevate, "--elevate", reason);
+  }
+  void refuse_all(const std::string& type) const {
+    refuse_concave_options();
+    const std::string reason = "does not apply to " + type;
+    refuse(options_.domain.has_value(), "--domain", reason);
+    refuse(options_.clearance.has_value(), "--clearance", reason);
+    refuse(options_.coordinates.has_value(), "--coordinates", reason);
+  }
+  void refuse(bool given, const std::string& option, const std::string& reason) const {
+    if (given)
+      throw MP::Input_error(options_.input + ": " + option + ' ' + reason);
+  }
+
+  const Patch_options& options_;
+};
 
 } // namespace
 
-Model read_model(const Patch_options& options) {
-  Model model = CGAL::Multisided_patches::IO::read_CGB<Kernel>(options.input);
-  model.domain.generator = options.domain.value_or(model.domain.generator);
-  model.domain.clearance = options.clearance.value_or(model.domain.clearance);
-  model.central_weight = options.central_weight.value_or(model.central_weight);
-  if (options.elevate)
-    model.loop = MP::elevated_for_contact(model.loop, model.central_weight);
+Any_model read_model(const Patch_options& options) {
+  Any_model model = read_model_file(options.input);
+  std::visit(Override(options), model);
   return model;
 }
 
-std::vector<Model> read_models(Patch_options options, const std::vector<std::string>& inputs,
-                               bool quiet) {
-  std::vector<Model> models;
+std::vector<Any_model> read_models(Patch_options options, const std::vector<std::string>& inputs,
+                                   bool quiet) {
+  std::vector<Any_model> models;
   for (const std::string& input : inputs) {
     options.input = input;
     models.push_back(read_model(options));
@@ -79,34 +112,18 @@ double degrees(double radians) {
   return radians * 180 / CGAL_PI;
 }
 
-std::vector<std::string> contact_shortfalls(const Model& model) {
-  std::vector<std::string> texts;
-  for (std::size_t i = 0; i < model.loop.size(); ++i) {
-    const std::string text = MP::contact_shortfall(model.loop, i, model.central_weight);
-    if (!text.empty())
-      texts.push_back(text);
-  }
-  return texts;
-}
-
-void print_contact_shortfalls(const std::vector<Model>& models,
-                              const std::vector<std::string>& prefixes) {
-  for (std::size_t k = 0; k < models.size(); ++k)
-    for (const std::string& text : contact_shortfalls(models[k]))
-      std::printf("%s%s\n", prefixes[k].c_str(), text.c_str());
-  if (std::any_of(models.begin(), models.end(), elevation_helps))
-    std::printf("  multipatch mesh --elevate raises degrees where that helps\n");
-}
-
 void check_index(std::size_t index, std::size_t n, const std::string& option) {
   if (index >= n)
-    throw CGAL::Multisided_patches::Input_error(option + " must be less than " + std::to_string(n) +
-                                                ", the number of sides, not " +
-                                                std::to_string(index));
+    throw MP::Input_error(option + " must be less than " + std::to_string(n) +
+                          ", the number of sides, not " + std::to_string(index));
 }
 
-void print_remarks(const CGAL::Multisided_patches::Domain_report& report,
-                   const std::string& prefix) {
+const char* domain_name(const MP::Domain_report& report) {
+  // Where a generator is asked for, the report tells which one was used in the end.
+  return report.used == MP::Domain_generator::automatic ? "given" : to_string(report.used);
+}
+
+void print_remarks(const MP::Domain_report& report, const std::string& prefix) {
   for (const auto& remark : report.remarks)
     std::printf("%sdomain %s: %s\n", prefix.c_str(), to_string(remark.generator),
                 remark.reason.c_str());

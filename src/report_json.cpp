@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 namespace multipatch {
 
@@ -22,21 +23,23 @@ Json finite_or_null(double x) {
   return std::isfinite(x) ? Json(x) : Json(nullptr);
 }
 
-double largest_mismatch(const Model& model) {
+double largest_mismatch(const Loop& loop) {
   double largest = 0;
-  for (std::size_t i = 0; i < model.loop.size(); ++i)
-    largest = (std::max)(largest, model.loop.corner_normal_mismatch(i));
+  for (std::size_t i = 0; i < loop.size(); ++i)
+    largest = (std::max)(largest, loop.corner_normal_mismatch(i));
   return degrees(largest);
 }
 
-Json contact_shortfalls_json(const Model& model) {
+// Only the ribbons of concave patches promise what the patch may not have.
+Json contact_shortfalls_json(const Any_model& model) {
   Json shortfalls = Json::array();
-  for (std::size_t i = 0; i < model.loop.size(); ++i) {
-    const std::string text = MP::contact_shortfall(model.loop, i, model.central_weight);
+  const auto* concave = std::get_if<Concave_model>(&model);
+  for (std::size_t i = 0; concave != nullptr && i < concave->loop.size(); ++i) {
+    const std::string text = MP::contact_shortfall(concave->loop, i, concave->central_weight);
     if (!text.empty())
       shortfalls.push_back({{"side", i},
-                            {"order", MP::contact_order(model.loop, i, model.central_weight)},
-                            {"promised", model.loop[i].layers() - 1},
+                            {"order", MP::contact_order(concave->loop, i, concave->central_weight)},
+                            {"promised", concave->loop[i].layers() - 1},
                             {"reason", text}});
   }
   return shortfalls;
@@ -50,34 +53,41 @@ void add_if_any(Json& json, const char* key, const std::optional<Number>& number
 
 } // namespace
 
-Json model_json(const Model& model) {
-  const auto corners = [&](MP::Corner_type type) { return model.loop.number_of_corners(type); };
-  return {{"sides", model.loop.size()},
-          {"convex_corners", corners(MP::Corner_type::convex)},
-          {"reflex_corners", corners(MP::Corner_type::reflex)},
-          {"straight_corners", corners(MP::Corner_type::straight)},
-          {"diagonal", model.loop.diagonal()},
-          {"largest_plane_mismatch_degrees", largest_mismatch(model)},
-          {"contact_shortfalls", contact_shortfalls_json(model)},
-          {"central_weight", to_string(model.central_weight)},
-          {"unused_corner_control_points", model.corner_control_points.size()}};
+Json model_json(const Any_model& model, const Any_patch& patch) {
+  const Loop& loop = patch.loop();
+  Json json{{"type", to_string(MP::IO::patch_type<Kernel>(model))},
+            {"sides", loop.size()},
+            {"convex_corners", loop.number_of_corners(MP::Corner_type::convex)},
+            {"reflex_corners", loop.number_of_corners(MP::Corner_type::reflex)},
+            {"straight_corners", loop.number_of_corners(MP::Corner_type::straight)},
+            {"diagonal", loop.diagonal()},
+            {"largest_plane_mismatch_degrees", largest_mismatch(loop)},
+            {"contact_shortfalls", contact_shortfalls_json(model)}};
+  if (const auto* concave = std::get_if<Concave_model>(&model)) {
+    json["central_weight"] = to_string(concave->central_weight);
+    json["corner_control_points"] = concave->corner_control_points.size();
+  }
+  return json;
 }
 
 Json domain_json(const MP::Domain_report& domain) {
   Json remarks = Json::array();
   for (const auto& remark : domain.remarks)
     remarks.push_back({{"generator", to_string(remark.generator)}, {"reason", remark.reason}});
-  return {{"requested", to_string(domain.requested)},
-          {"used", to_string(domain.used)},
+  const bool is_given = domain.used == MP::Domain_generator::automatic;
+  return {{"requested", is_given ? domain_name(domain) : to_string(domain.requested)},
+          {"used", domain_name(domain)},
           {"repair", domain.repair},
           {"clearance", finite_or_null(domain.clearance)},
           {"wanted_clearance", domain.wanted_clearance},
           {"remarks", remarks}};
 }
 
-Json coordinates_json(const Mesh_options& options, const Patch_report& patch) {
-  Json json{{"name", to_string(options.patch.coordinates)}};
-  add_if_any(json, "error_bound", patch.coordinates_error_bound);
+Json coordinates_json(const Patch_origin& origin) {
+  if (!origin.coordinates)
+    return nullptr;
+  Json json{{"name", to_string(*origin.coordinates)}};
+  add_if_any(json, "error_bound", origin.error_bound);
   return json;
 }
 

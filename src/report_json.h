@@ -18,9 +18,9 @@ namespace multipatch {
 using Json = nlohmann::ordered_json;
 
 // What reports on meshes have in common.
-Json model_json(const Model& model);
+Json model_json(const Any_model& model, const Any_patch& patch);
 Json domain_json(const CGAL::Multisided_patches::Domain_report& domain);
-Json coordinates_json(const Mesh_options& options, const Patch_report& patch);
+Json coordinates_json(const Patch_origin& origin);
 Json density_json(const CGAL::Multisided_patches::Mesh_density& density);
 Json statistics_json(const Mesh_statistics& mesh);
 Json seconds_json(const Stage_clock& clock);

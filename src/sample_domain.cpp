@@ -17,20 +17,22 @@ namespace MP = CGAL::Multisided_patches;
 
 namespace {
 
-// The points on n sides of length p in total, 1 + floor(length / h) a side, are about n/2 + p/h. A
-// triangular lattice with spacing h has a point for an area of √3/2 h². It keeps 0.6 h away from
-// the sides, which costs it 0.6 p h of the area; where that is more than there is, it is empty.
+// A mesh of V points, B of them on the boundary, has about 2 V - B triangles. With n sides of
+// length p in total, 1 + floor(length / h) points a side, B is about p / h + n / 2. The triangles
+// of triangulate_domain() with spacing h have 0.94 of the area of equilateral ones on the average,
+// which is √3/4 h². In a slot all points lie on the sides.
 double spacing_for(const Domain& domain, std::size_t points) {
   double perimeter = 0;
   for (std::size_t i = 0; i < domain.size(); ++i)
     perimeter += domain.side_length(i);
-  const double cells = domain.area() / (std::sqrt(3.0) / 2);
-  const double sides = (1 - 0.6 / (std::sqrt(3.0) / 2)) * perimeter;
-  const double wanted =
-      (std::max)(1.0, static_cast<double>(points) - static_cast<double>(domain.size()) / 2);
-  // the solution of cells / h² + sides / h = wanted
-  const double spacing = (sides + std::sqrt(sides * sides + 4 * cells * wanted)) / (2 * wanted);
-  return (std::max)(spacing, perimeter / wanted);
+  const auto n = static_cast<double>(domain.size());
+  const double cells = domain.area() / (0.94 * std::sqrt(3.0) / 2);
+  const double wanted = (std::max)(1.0, static_cast<double>(points) - n / 4);
+  // the solution of cells / h² + perimeter / 2 / h = wanted
+  const double spacing =
+      (perimeter / 2 + std::sqrt(perimeter * perimeter / 4 + 4 * cells * wanted)) / (2 * wanted);
+  const double on_sides = (std::max)(1.0, static_cast<double>(points) - n / 2);
+  return (std::max)(spacing, perimeter / on_sides);
 }
 
 } // namespace

@@ -116,7 +116,7 @@ TEST_CASE("A table of coordinates sums to one in every row, in the order of the 
                         Contains(" " + std::to_string(csv.rows.size()) + " points") &&
                         Contains("setup ") && Contains("evaluation "));
     const double wanted = row.options.find("5000") != std::string::npos ? 5000 : 1000;
-    CHECK(static_cast<double>(csv.rows.size()) == Approx(wanted).epsilon(0.12));
+    CHECK(static_cast<double>(csv.rows.size()) == Approx(wanted).epsilon(0.05));
     CHECK_THAT(csv.header, StartsWith("u,v,lambda_0,lambda_1,"));
     check_coordinates(csv, row.text);
   }

@@ -5,6 +5,8 @@
 
 #include "catch.h"
 #include "fuzz/replay_cgb.h"
+#include "fuzz/replay_gbp.h"
+#include "fuzz/replay_patch_json.h"
 #include "fuzz/replay_points.h"
 #include "fuzz/replay_polygon.h"
 
@@ -63,4 +65,12 @@ TEST_CASE("Every polygon file of the fuzzer's corpus is read or refused with an 
 
 TEST_CASE("Every point file of the fuzzer's corpus is read or refused with an error") {
   replay_all("points", fuzz::replay_points);
+}
+
+TEST_CASE("Every .gbp file of the fuzzer's corpus is read or refused with an error") {
+  replay_all("gbp", fuzz::replay_gbp);
+}
+
+TEST_CASE("Every .patch.json file of the fuzzer's corpus is read or refused with an error") {
+  replay_all("patch_json", fuzz::replay_patch_json);
 }

@@ -8,6 +8,7 @@
 
 #include <CGAL/Multisided_patches/IO/internal/Token_reader.h>
 #include <CGAL/Multisided_patches/IO/internal/file_access.h>
+#include <CGAL/Multisided_patches/IO/internal/point_text.h>
 #include <CGAL/Multisided_patches/internal/to_text.h>
 #include <CGAL/Multisided_patches/patches/Concave_bezier_model_3.h>
 
@@ -52,6 +53,7 @@ struct CGB_limits {
 
 namespace internal {
 
+using Multisided_patches::internal::read_point;
 using Multisided_patches::internal::Token_reader;
 
 // The integers of the format, in order.
@@ -61,15 +63,6 @@ inline constexpr std::array central_weights{Central_weight::weight_deficiency, C
 inline constexpr std::array domain_types{Domain_generator::projected, Domain_generator::similarity,
                                          Domain_generator::similarity_outer,
                                          Domain_generator::curved};
-
-template <typename Traits>
-typename Traits::Point_3 read_point(Token_reader& in, const std::string& what) {
-  using FT = typename Traits::FT;
-  const double x = in.number("x of " + what);
-  const double y = in.number("y of " + what);
-  const double z = in.number("z of " + what);
-  return typename Traits::Point_3(FT(x), FT(y), FT(z));
-}
 
 template <typename Traits>
 Bezier_ribbon_3<Traits> read_ribbon(Token_reader& in, std::size_t side) {
@@ -172,32 +165,28 @@ void check_limits(const Concave_bezier_model_3<Traits>& model) {
  */
 template <typename Traits>
 void write_CGB(std::ostream& out, const Concave_bezier_model_3<Traits>& model) {
+  using Multisided_patches::internal::point_line;
   using Multisided_patches::internal::to_text;
   internal::check_limits(model);
   const auto index_of = [](const auto& values, auto value, std::size_t otherwise) {
     const auto found = std::find(values.begin(), values.end(), value);
     return std::to_string(found == values.end() ? otherwise : found - values.begin());
   };
-  const auto point = [](const typename Traits::Point_3& p) {
-    return to_text(CGAL::to_double(p.x())) + ' ' + to_text(CGAL::to_double(p.y())) + ' ' +
-           to_text(CGAL::to_double(p.z())) + '\n';
-  };
-
   // Only text goes to the stream, so that its format flags and its locale have no effect.
   out << index_of(internal::central_weights, model.central_weight, 1) << '\n'
       << index_of(internal::domain_types, model.domain.generator, 1) << '\n'
       << to_text(model.domain.clearance) << '\n'
       << to_text(model.parameter_dilation) << '\n'
       << std::to_string(model.loop.size()) << '\n'
-      << point(model.central_point.value_or(model.default_central_point()));
+      << point_line(model.central_point.value_or(model.default_central_point()));
   for (const auto& ribbon : model.loop.ribbons()) {
     out << std::to_string(ribbon.degree()) << ' ' << std::to_string(ribbon.layers()) << '\n';
     for (const auto& p : ribbon.control_points())
-      out << point(p);
+      out << point_line(p);
   }
   out << std::to_string(model.corner_control_points.size()) << '\n';
   for (const auto& corner : model.corner_control_points)
-    out << std::to_string(corner.index) << ' ' << point(corner.point);
+    out << std::to_string(corner.index) << ' ' << point_line(corner.point);
 }
 
 //! writes the patch that fills a loop with the default options
