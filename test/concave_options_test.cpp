@@ -152,6 +152,17 @@ TEST_CASE("A corner control point pulls the patch by its weight") {
   CHECK(high(p).z() - low(p).z() == Approx(2 * weight).epsilon(1e-10));
 }
 
+TEST_CASE("Corner control points leave the boundary alone on loops of any number of sides") {
+  Random random(20260821);
+  for (std::size_t n = 3; n <= 7; ++n) {
+    Model model(lifted_loop(convex_polygon(random, n), bowl));
+    for (std::size_t i = 0; i < n; ++i)
+      model.corner_control_points.push_back({i, Point_3(5, 5, 5)});
+    CAPTURE(n);
+    check_that_it_meets_its_ribbons(Patch(model));
+  }
+}
+
 TEST_CASE("One layer next to a corner control point does not let it disturb other sides") {
   Loop loop = lifted_loop(l_shape(), bowl);
   std::vector<Ribbon> ribbons = loop.ribbons();

@@ -44,7 +44,8 @@ namespace Multisided_patches {
  * 9/2 μ (1 - μ) B^m_1(h_i) B^{m'}_1(h_{i+1}), where μ is the corner weight of side i there, m is
  * 2l - 1 for the layers l of side i, but at least 3, and m' the same for side i+1. It vanishes on
  * all sides together with its derivatives of first order, and also of second order if both have 3
- * layers.
+ * layers. (On three sides this takes a further factor, h² or a higher power of the third side's h,
+ * as many as it has layers.)
  *
  * Along side i the patch has the ribbon's derivatives up to order r if side i has at least r + 1
  * layers, both its neighbours have degree at least 2r + 1, and all other sides have at least r + 1
@@ -207,8 +208,14 @@ private:
       return parameter.h * internal::integer_power(parameter.one_minus_h, degree - 1) *
              FT(static_cast<int>(degree));
     };
-    return factors.at_end[in] * factors.at_start[out] * second_row(in) * second_row(out) *
-           FT(FT(9) / FT(2));
+    T weight = factors.at_end[in] * factors.at_start[out] * second_row(in) * second_row(out) *
+               FT(FT(9) / FT(2));
+    if (number_of_sides() == 3) { // on the third side neither h is 0 or 1
+      const std::size_t third = 3 - in - out;
+      weight *= internal::integer_power(factors.parameters[third].h,
+                                        (std::max<std::size_t>)(blending_[third].layers, 2));
+    }
+    return weight;
   }
 
   template <typename T, typename Domain, typename Parameters>

@@ -44,6 +44,7 @@ std::string domain_mesh_defect(const Polygonal_domain_2<Traits>& domain,
 /*!
  * tells whether a mesh is a triangulation of a domain; see `domain_mesh_defect()`.
  *
+ * \param domain,mesh as there
  * \param verbose whether to say on `std::cerr` what is wrong
  */
 template <typename Traits>

@@ -55,6 +55,7 @@ typename Patch::FT central_weight_at(const Patch& patch, const typename Patch::P
  *
  * \tparam Patch as for `central_weight_at()`; its surface is a linear function of the central
  * control point
+ * \param patch the patch
  * \param central_point the central control point that `patch` has now (model units)
  * \param uv a point of the domain, somewhere in the middle
  * \param point where the patch should be there (model units)
