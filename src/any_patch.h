@@ -59,6 +59,9 @@ public:
   std::pair<Point_3, Vector_3> point_and_normal(const Point_2& uv, const Location& location) const {
     return patch_->point_and_normal(uv, location);
   }
+  Vector_3 normal(const Point_2& uv, const Location& location) const {
+    return point_and_normal(uv, location).second;
+  }
   // By the formula of the patch, on the boundary, too.
   template <int Order>
   Surface_jet<Order> evaluate(const Point_2& uv, const Location& location) const {

@@ -9,6 +9,7 @@
 #include "stage_clock.h"
 
 #include <CGAL/Multisided_patches/analysis/continuity_report.h>
+#include <CGAL/Multisided_patches/analysis/fairness_report.h>
 #include <CGAL/Multisided_patches/internal/to_text.h>
 #include <CGAL/Multisided_patches/meshing/is_valid_domain_mesh.h>
 #include <CGAL/Multisided_patches/meshing/mesh_domain.h>
@@ -78,8 +79,9 @@ void check_seams(const std::vector<Any_patch>& patches, const std::vector<Side_o
     }
 }
 
+constexpr std::size_t default_triangles = 2000; // a patch
+
 std::size_t mesh_triangles(const Check_options& options) {
-  constexpr std::size_t default_triangles = 2000; // a patch
   return options.mesh_triangles.value_or(
       (std::min)(default_triangles * options.inputs.size(), MP::Mesh_density::max_triangles));
 }
@@ -92,10 +94,16 @@ void check_mesh(const MP::Patch_complex<Any_patch>& complex, const Check_options
   report.mesh.statistics = measure(mesh);
   report.mesh.self_intersections = self_intersections(mesh);
   report.mesh.is_as_joined = is_as_joined(report.mesh.statistics, report.sides);
-  const std::size_t share = (std::max)(std::size_t{1}, triangles / complex.patches().size());
-  for (const Any_patch& patch : complex.patches())
-    report.mesh.domain_defects.push_back(MP::domain_mesh_defect(
-        patch.domain(), MP::mesh_domain(patch, MP::Mesh_density::triangles(share))));
+}
+
+void check_domains(const std::vector<Any_patch>& patches, const Check_options& options,
+                   Check_report& report) {
+  const std::size_t share = (std::max)(default_triangles, mesh_triangles(options) / patches.size());
+  for (std::size_t k = 0; k < patches.size(); ++k) {
+    const Domain_mesh mesh = MP::mesh_domain(patches[k], MP::Mesh_density::triangles(share));
+    report.patches[k].domain_mesh_defect = MP::domain_mesh_defect(patches[k].domain(), mesh);
+    report.patches[k].fairness = MP::fairness_report(patches[k], mesh);
+  }
 }
 
 void run(const Check_options& options, const std::vector<Any_model>& models, Stage_clock& clock,
@@ -108,7 +116,10 @@ void run(const Check_options& options, const std::vector<Any_model>& models, Sta
     check_patches(complex.patches(), options, report);
     check_seams(complex.patches(), outlines(complex.patches()), options, report);
   });
-  clock.run("meshing", [&] { check_mesh(complex, options, report); });
+  clock.run("meshing", [&] {
+    check_mesh(complex, options, report);
+    check_domains(complex.patches(), options, report);
+  });
 }
 
 void check_tolerance(double tolerance, const char* option) {
@@ -120,7 +131,7 @@ void check_tolerance(double tolerance, const char* option) {
 std::vector<Any_model> read_models(const Check_options& options, Check_report& report) {
   const std::vector<Any_model> models = read_models(options.patch, options.inputs, options.quiet);
   for (std::size_t k = 0; k < models.size(); ++k)
-    report.patches.push_back({options.inputs[k], 0, {}, contact_shortfalls(models[k])});
+    report.patches.push_back({options.inputs[k], 0, {}, contact_shortfalls(models[k]), {}, {}});
   return models;
 }
 

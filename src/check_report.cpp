@@ -71,6 +71,11 @@ void print_patch(const Check_options& options, const Checked_patch& patch) {
   }
   for (const std::string& shortfall : patch.shortfalls)
     std::printf("  %s\n", shortfall.c_str());
+  std::printf("Fairness: bending energy %.3g, curvature times diagonal up to %.3g on 99 %% of the "
+              "area, at most %.3g at (u,v) = (%.3g, %.3g)\n",
+              patch.fairness.bending_energy, patch.fairness.curvature_99 * patch.diagonal,
+              patch.fairness.largest_curvature * patch.diagonal, patch.fairness.sharpest_point.x(),
+              patch.fairness.sharpest_point.y());
 }
 
 void print_seam(const Check_options& options, const Check_report& report, std::size_t k) {
@@ -102,10 +107,10 @@ std::vector<std::string> mesh_failures(const Check_report& report) {
   add(mesh.statistics.folded_edges, "folded edge");
   if (!mesh.is_as_joined)
     texts.emplace_back("the mesh came out torn; this is a defect of the program, please report it");
-  for (std::size_t k = 0; k < mesh.domain_defects.size(); ++k)
-    if (!mesh.domain_defects[k].empty())
-      texts.push_back(report.patches[k].input +
-                      ": the mesh of the domain is not valid: " + mesh.domain_defects[k]);
+  for (const Checked_patch& patch : report.patches)
+    if (!patch.domain_mesh_defect.empty())
+      texts.push_back(patch.input +
+                      ": the mesh of the domain is not valid: " + patch.domain_mesh_defect);
   return texts;
 }
 
@@ -145,6 +150,15 @@ void add_continuity(Json& json, const Check_options& options, const MP::Continui
   json["exceeded"] = exceeded(options, continuity, diagonal);
 }
 
+Json fairness_json(const MP::Fairness_report<Kernel>& fairness) {
+  return {{"area", fairness.area},
+          {"bending_energy", fairness.bending_energy},
+          {"curvature_99", fairness.curvature_99},
+          {"largest_curvature", fairness.largest_curvature},
+          {"sharpest_point", {fairness.sharpest_point.x(), fairness.sharpest_point.y()}},
+          {"samples", fairness.samples}};
+}
+
 Json patch_json(const Check_options& options, const Checked_patch& patch) {
   Json sides = Json::array();
   for (const MP::Side_continuity& side : patch.continuity.sides) {
@@ -155,7 +169,9 @@ Json patch_json(const Check_options& options, const Checked_patch& patch) {
   return {{"input", patch.input},
           {"diagonal", patch.diagonal},
           {"sides", sides},
-          {"contact_shortfalls", patch.shortfalls}};
+          {"contact_shortfalls", patch.shortfalls},
+          {"fairness", fairness_json(patch.fairness)},
+          {"domain_mesh_defect", patch.domain_mesh_defect}};
 }
 
 Json seam_json(const Check_options& options, const Check_report& report, const Checked_seam& seam) {
@@ -218,7 +234,6 @@ std::string check_json(const Check_options& options, const Check_report& report)
   for (std::size_t k = 0; k < report.patches.size(); ++k) {
     inputs.push_back(report.patches[k].input);
     patches.push_back(patch_json(options, report.patches[k]));
-    patches.back()["domain_mesh_defect"] = report.mesh.domain_defects[k];
   }
   for (const Checked_seam& seam : report.seams)
     seams.push_back(seam_json(options, report, seam));

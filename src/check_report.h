@@ -11,6 +11,7 @@
 #include "mesh_statistics.h"
 
 #include <CGAL/Multisided_patches/analysis/Side_continuity.h>
+#include <CGAL/Multisided_patches/analysis/fairness_report.h>
 
 #include <cstddef>
 #include <string>
@@ -24,6 +25,8 @@ struct Checked_patch {
   double diagonal;
   CGAL::Multisided_patches::Continuity_report continuity;
   std::vector<std::string> shortfalls; // sides that cannot have what their layers promise
+  CGAL::Multisided_patches::Fairness_report<Kernel> fairness = {};
+  std::string domain_mesh_defect = {}; // empty if the mesh of its domain is fine
 };
 
 // How two patches meet along a side.
@@ -39,8 +42,6 @@ struct Checked_mesh {
   Mesh_statistics statistics;
   std::size_t self_intersections = 0;
   bool is_as_joined = false;
-  std::vector<std::string>
-      domain_defects; // of the mesh of each patch's domain, empty if it is fine
 };
 
 struct Check_report {

@@ -245,6 +245,11 @@ TEST_CASE("A B-spline curve refuses sizes that do not fit and knots that make no
   CHECK_THROWS_WITH(make(2, {0, 0, 0, 1, 1}, 2), Contains("at least 3 control points, not 2"));
   CHECK_THROWS_WITH(make(2, {0, 0, 1, 1, 1}, 3), Contains("needs 6 knots, not 5"));
   CHECK_THROWS_WITH(make(2, {0, 0, 0, 1, 2, 1}, 3), Contains("knot 5 is 1, after 2"));
+  using Double_curve = MP::Bspline_curve_3<CGAL::Simple_cartesian<double>>;
+  const std::vector<CGAL::Simple_cartesian<double>::Point_3> two(2, {0, 0, 0});
+  CHECK_THROWS_WITH(Double_curve(1, {-1e308, -1e308, 1e308, 1e308}, two),
+                    Contains("too far apart"));
+  CHECK_THROWS_WITH(Double_curve(1, {0, 0, 1e-320, 1}, two), Contains("knots 1 and 2"));
   CHECK_THROWS_WITH(make(2, {0, 1, 1, 1, 2, 3}, 3),
                     Contains("from knot 2 to knot 3, is the single number 1"));
   CHECK_THROWS_WITH(make(2, {0, 0, 0, 1, 1, 1, 2, 2, 2}, 6),

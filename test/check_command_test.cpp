@@ -85,6 +85,8 @@ TEST_CASE("Check writes JSON to a file or to standard output") {
   const std::string json = work.run_well("check x.cgb --json -");
   CHECK_THAT(json, StartsWith("{\n  \"passed\": true,") && Contains("\"side\": 3,") &&
                        Contains("\"normal_curvature_relative\": null") && EndsWith("\n}\n"));
+  CHECK_THAT(json, Contains("\"fairness\": {") && Contains("\"bending_energy\": ") &&
+                       Contains("\"curvature_99\": "));
   CHECK_THAT(work.run_well("check x.cgb --json a.json"), StartsWith("x.cgb: 4 sides, diagonal "));
   CHECK((contents(work / "a.json") == json));
   CHECK(work.run_well("check x.cgb --json a.json -q --samples 1").empty());

@@ -59,7 +59,7 @@ TEST_CASE("Whatever the weight of reflex corners, sides run at their pace and h 
   for (std::size_t i = 0; i < 6; ++i)
     for (const double s : {0.1, 0.5, 0.8}) {
       coordinates.evaluate<2>(domain.point_on_side(i, s), Location::on_side(i, s), lambda.data());
-      MP::compute_side_parameters(domain, lambda.data(), {0.2, 3}, weighted);
+      MP::compute_side_parameters(domain, lambda.data(), {0.2, 3, {3}}, weighted);
       CHECK(weighted[i].s.value() == Approx(s));
       CHECK(weighted[i].h.value() == 0);
       for (std::size_t j = 0; j < 6; ++j)
@@ -69,7 +69,7 @@ TEST_CASE("Whatever the weight of reflex corners, sides run at their pace and h 
   const Point_2 p(0.7, 0.6);
   coordinates.evaluate<2>(p, Location::interior(), lambda.data());
   MP::compute_side_parameters(domain, lambda.data(), {}, plain);
-  MP::compute_side_parameters(domain, lambda.data(), {0, 3}, weighted);
+  MP::compute_side_parameters(domain, lambda.data(), {0, 3, {3}}, weighted);
   const double sum = 1 + 2 * lambda[3].value();
   CHECK(domain.corner_type(3) == MP::Corner_type::reflex);
   for (std::size_t i = 0; i < 6; ++i) {
@@ -176,12 +176,47 @@ TEST_CASE("One layer next to a corner control point does not let it disturb othe
     CHECK(side.position.max < 1e-13);
 }
 
+TEST_CASE("Which corners are reflex is a matter of the loop, not of its rounded domain") {
+  // The L with a straight corner in the middle of its first side, turned so that it is rounded.
+  Random random(20260822);
+  for (int k = 0; k < 20; ++k) {
+    const double angle = random.in(0, 6.28), c = std::cos(angle), s = std::sin(angle);
+    std::vector<Point_2> polygon = l_shape();
+    polygon.insert(polygon.begin() + 1, Point_2(1, 0));
+    for (Point_2& p : polygon)
+      p = Point_2(c * p.x() - s * p.y(), s * p.x() + c * p.y());
+    // Lifted by hand: ribbons of 1 layer, as those of the straight corner are not compatible.
+    std::vector<Ribbon> ribbons;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const Point_2 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+      ribbons.emplace_back(
+          1, 1, std::vector<Point_3>{Point_3(a.x(), a.y(), 0), Point_3(b.x(), b.y(), 0)});
+    }
+    const Loop loop(ribbons);
+    REQUIRE(loop.corner_type(1) == MP::Corner_type::straight);
+    Model model(loop);
+    model.reflex_weight = 3;
+    const Patch patch(model);
+    CHECK(patch.basis().parameter_options().reflex_corners == std::vector<std::size_t>{4});
+  }
+}
+
 TEST_CASE("Options that make no sense are refused") {
   using Catch::Matchers::Contains;
-  Model model = l_model();
-  model.reflex_weight = 0;
-  CHECK_THROWS_WITH(Patch(model), Contains("weight of reflex corners"));
-  model.reflex_weight = 1;
-  model.corner_control_points.push_back({6, Point_3(0, 0, 0)});
-  CHECK_THROWS_WITH(Patch(model), Contains("no side 6"));
+  const double nan = std::nan("");
+  const auto refuses = [](const std::function<void(Model&)>& change, const std::string& message) {
+    Model model = l_model();
+    change(model);
+    CHECK_THROWS_WITH(Patch(model), Contains(message));
+  };
+  for (const double weight : {0.0, -1.0, 1e-300, 1e300, nan})
+    refuses([&](Model& model) { model.reflex_weight = weight; }, "weight of reflex corners");
+  refuses([&](Model& model) { model.parameter_dilation = nan; }, "parameter dilation");
+  refuses([&](Model& model) { model.central_point = Point_3(0, nan, 0); }, "central control point");
+  const auto with_corners = [](std::vector<Model::Corner_control_point> corners) {
+    return [=](Model& model) { model.corner_control_points = corners; };
+  };
+  refuses(with_corners({{6, Point_3(0, 0, 0)}}), "end of side 6, but no such side");
+  refuses(with_corners({{2, Point_3(0, 0, nan)}}), "end of side 2 is not finite");
+  refuses(with_corners({{2, Point_3(0, 0, 0)}, {2, Point_3(0, 0, 1)}}), "two extra control points");
 }

@@ -285,7 +285,10 @@ TEST_CASE("Any coordinates can carry it, on a domain of the user's choice") {
 TEST_CASE("Nets that are none are refused with what was expected") {
   const auto points = [](std::size_t count) { return std::vector<Point_3>(count, CGAL::ORIGIN); };
   using Catch::Matchers::Contains;
-  CHECK_THROWS_WITH(Net(2, 3, points(9)), Contains("at least 3 sides"));
+  CHECK_THROWS_WITH(Net(2, 3, points(9)), Contains("from 3 to"));
+  const std::size_t huge = std::size_t(1) << 62; // where the number of points overflows
+  CHECK_THROWS_WITH(Net(huge + 3, 3, points(13)), Contains("4611686018427387907 sides"));
+  CHECK_THROWS_WITH(Net::number_of_control_points(3, std::size_t(-1)), Contains("largest degree"));
   CHECK_THROWS_WITH(Net(5, 0, points(1)), Contains("degree 0"));
   CHECK_THROWS_WITH(Net(5, 5, points(45)), Contains("has 46 points, not 45"));
   CHECK_THROWS_WITH(Net(5, 2000, points(45)), Contains("largest degree"));

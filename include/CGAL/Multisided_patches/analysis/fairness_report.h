@@ -79,8 +79,7 @@ inline double weighted_quantile(std::vector<std::pair<double, double>> values, d
 } // namespace internal
 
 /*!
- * measures the fairness of a patch at the centroids of the triangles of a mesh that has the same
- * density everywhere on the surface.
+ * measures the fairness of a patch at the centroids of the triangles of a mesh of its domain.
  *
  * At corners, where second derivatives depend on the direction, the curvature of a patch may grow
  * without bound, but on less and less area; so compare energies that come from as many triangles.
@@ -90,16 +89,14 @@ inline double weighted_quantile(std::vector<std::pair<double, double>> values, d
  * \tparam Patch a class with the members of `Concave_bezier_patch_3`
  *
  * \param patch the patch
- * \param triangles the number of triangles, about
+ * \param mesh a mesh of its domain, best of the same density everywhere on the surface
  *
- * Complexity: that of the mesh, and one evaluation of second derivatives for each triangle.
+ * Complexity: one evaluation of second derivatives for each triangle.
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag, typename Patch>
-Fairness_report<typename Patch::Geom_traits> fairness_report(const Patch& patch,
-                                                             std::size_t triangles = 20000) {
+Fairness_report<typename Patch::Geom_traits>
+fairness_report(const Patch& patch, const Domain_mesh_2<typename Patch::Geom_traits>& mesh) {
   using Traits = typename Patch::Geom_traits;
-  const Domain_mesh_2<Traits> mesh =
-      mesh_domain<ConcurrencyTag>(patch, Mesh_density::triangles(triangles));
   const std::size_t n = mesh.triangles.size();
   const auto corner = [&](std::size_t t, std::size_t i) {
     return mesh.points[mesh.triangles[t][i]];
@@ -118,11 +115,11 @@ Fairness_report<typename Patch::Geom_traits> fairness_report(const Patch& patch,
   std::vector<std::pair<double, double>> curvatures;
   for (std::size_t t = 0; t < n; ++t) {
     const internal::Bending_sample& sample = samples[t];
+    report.area += sample.area;
     if (!sample.is_defined) {
       ++report.undefined;
       continue;
     }
-    report.area += sample.area;
     report.bending_energy += sample.squared * sample.area;
     curvatures.emplace_back(sample.largest, sample.area);
     if (sample.largest >= report.largest_curvature) {
@@ -132,6 +129,15 @@ Fairness_report<typename Patch::Geom_traits> fairness_report(const Patch& patch,
   }
   report.curvature_99 = internal::weighted_quantile(std::move(curvatures), 0.99);
   return report;
+}
+
+//! the same with a mesh of about as many triangles that has the same density everywhere on the
+//! surface, made by `mesh_domain()`
+template <typename ConcurrencyTag = Parallel_if_available_tag, typename Patch>
+Fairness_report<typename Patch::Geom_traits> fairness_report(const Patch& patch,
+                                                             std::size_t triangles = 20000) {
+  return fairness_report<ConcurrencyTag>(
+      patch, mesh_domain<ConcurrencyTag>(patch, Mesh_density::triangles(triangles)));
 }
 
 } // namespace Multisided_patches

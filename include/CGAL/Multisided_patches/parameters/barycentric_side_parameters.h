@@ -6,11 +6,11 @@
 #ifndef CGAL_MULTISIDED_PATCHES_BARYCENTRIC_SIDE_PARAMETERS_H
 #define CGAL_MULTISIDED_PATCHES_BARYCENTRIC_SIDE_PARAMETERS_H
 
-#include <CGAL/Multisided_patches/ribbons/Corner_type.h>
-
 #include <boost/container/small_vector.hpp>
 
 #include <cstddef>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Multisided_patches {
@@ -32,28 +32,29 @@ struct Side_parameter_options {
   //! by what the coordinates of reflex corners are multiplied for the distance parameters h;
   //! positive
   double reflex_weight = 1;
+  //! the vertices that are the reflex corners; a domain that was rounded need not tell
+  std::vector<std::size_t> reflex_corners;
 
-  Side_parameter_options(double delta = 0, double weight = 1)
-      : dilation(delta), reflex_weight(weight) {}
+  Side_parameter_options(double delta = 0, double weight = 1, std::vector<std::size_t> corners = {})
+      : dilation(delta), reflex_weight(weight), reflex_corners(std::move(corners)) {}
 };
 
 namespace internal {
 
-// The coordinates with those of reflex corners multiplied by `weight`, divided by their sum.
-template <typename T, typename Domain, typename Output>
-void weigh_reflex_corners(const Domain& domain, const T* lambda, const typename T::FT& weight,
+// The n coordinates with those of reflex corners multiplied by their weight, divided by their sum.
+template <typename T, typename Output>
+void weigh_reflex_corners(const T* lambda, std::size_t n, const Side_parameter_options& options,
                           Output& weighted) {
   using FT = typename T::FT;
+  weighted.assign(lambda, lambda + n);
+  for (const std::size_t i : options.reflex_corners)
+    weighted[i] *= FT(options.reflex_weight);
   T sum;
-  for (std::size_t i = 0; i < domain.size(); ++i) {
-    weighted[i] = lambda[i];
-    if (domain.corner_type(i) == Corner_type::reflex)
-      weighted[i] *= weight;
-    sum += weighted[i];
-  }
+  for (const T& l : weighted)
+    sum += l;
   const T inverse = T(FT(1)) / sum;
-  for (std::size_t i = 0; i < domain.size(); ++i)
-    weighted[i] *= inverse;
+  for (T& l : weighted)
+    l *= inverse;
 }
 
 // h_i before dilation: the sum of all λ but λ_i and λ_{i+1}. Unlike 1 - λ_i - λ_{i+1} this is
@@ -158,9 +159,8 @@ void compute_side_parameters(const Domain& domain, const T* lambda,
   using FT = typename T::FT;
   boost::container::small_vector<T, 16> weighted;
   const T* coordinates = lambda; // for h
-  if (options.reflex_weight != 1) {
-    weighted.resize(domain.size());
-    internal::weigh_reflex_corners(domain, lambda, FT(options.reflex_weight), weighted);
+  if (options.reflex_weight != 1 && !options.reflex_corners.empty()) {
+    internal::weigh_reflex_corners(lambda, domain.size(), options, weighted);
     coordinates = weighted.data();
   }
   internal::sums_of_others(domain, coordinates, parameters);

@@ -63,8 +63,7 @@ public:
    * boundary curve of a side is a single point
    */
   Bezier_triangle_3(std::size_t degree, std::vector<Point_3> control_points)
-      : Bezier_triangle_3(degree, std::move(control_points),
-                          Domain(internal::to_unit_box<Traits>(internal::regular_polygon(3)))) {}
+      : Bezier_triangle_3(degree, std::move(control_points), make_regular_domain<Traits>(3)) {}
 
   //! the same over a domain of the caller's choice. \throws Input_error if that is no triangle, too
   Bezier_triangle_3(std::size_t degree, std::vector<Point_3> control_points, Domain domain)

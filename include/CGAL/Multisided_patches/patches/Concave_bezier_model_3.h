@@ -34,7 +34,8 @@ struct Concave_bezier_model_3 {
   using Point_3 = typename Traits::Point_3;
   using Loop = Ribbon_loop_3<Traits>;
 
-  //! An extra control point at a corner, usually a reflex one, see `Concave_bezier_basis`.
+  //! An extra control point at a corner, usually a reflex one, see `Concave_bezier_basis`; at most
+  //! one for each corner.
   struct Corner_control_point {
     std::size_t index; //!< that of the side that ends at the corner
     Point_3 point;
@@ -50,7 +51,7 @@ struct Concave_bezier_model_3 {
   //! δ in h_i = (1 - λ_i - λ_{i+1}) (1 - δ λ_{i-1} λ_{i+2}); 0 is the plain side parameter
   double parameter_dilation = 0;
   //! by what the coordinates of reflex corners are multiplied in h_i, see
-  //! `compute_side_parameters()`; positive
+  //! `compute_side_parameters()`; from 0.001 to 1000
   double reflex_weight = 1;
   std::vector<Corner_control_point> corner_control_points;
 

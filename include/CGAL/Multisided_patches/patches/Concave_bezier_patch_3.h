@@ -10,8 +10,11 @@
 #include <CGAL/Multisided_patches/coordinates/Harmonic_coordinates_2.h>
 #include <CGAL/Multisided_patches/domains/make_domain.h>
 #include <CGAL/Multisided_patches/errors.h>
+#include <CGAL/Multisided_patches/internal/to_text.h>
 #include <CGAL/Multisided_patches/patches/Concave_bezier_model_3.h>
 #include <CGAL/Multisided_patches/patches/internal/Control_net_patch.h>
+
+#include <CGAL/number_utils.h>
 
 #include <cmath>
 #include <cstddef>
@@ -72,21 +75,46 @@ private:
              make_basis(model), control_points(model)) {}
 
   static Concave_bezier_basis make_basis(const Model& model) {
+    check_options(model);
     std::vector<std::pair<std::size_t, std::size_t>> degrees_and_layers;
     for (const auto& ribbon : model.loop.ribbons())
       degrees_and_layers.emplace_back(ribbon.degree(), ribbon.layers());
-    if (!(model.reflex_weight > 0 && std::isfinite(model.reflex_weight)))
-      throw Input_error("the weight of reflex corners has to be positive");
-    std::vector<std::size_t> corners;
-    for (const auto& corner : model.corner_control_points) {
-      if (corner.index >= model.loop.size())
-        throw Input_error("there is no side " + std::to_string(corner.index) +
-                          " for an extra corner control point");
+    std::vector<std::size_t> corners, reflex_corners;
+    for (const auto& corner : model.corner_control_points)
       corners.push_back(corner.index);
+    for (std::size_t i = 0; i < model.loop.size(); ++i)
+      if (model.loop.corner_type(i) == Corner_type::reflex)
+        reflex_corners.push_back(i);
+    return Concave_bezier_basis(
+        degrees_and_layers, model.central_weight,
+        {model.parameter_dilation, model.reflex_weight, std::move(reflex_corners)},
+        std::move(corners));
+  }
+
+  static void check_options(const Model& model) {
+    constexpr double largest_weight = 1000;
+    if (!std::isfinite(model.parameter_dilation))
+      throw Input_error("the parameter dilation is not a finite number");
+    if (!(model.reflex_weight >= 1 / largest_weight && model.reflex_weight <= largest_weight))
+      throw Input_error("the weight of reflex corners has to be from 0.001 to 1000, not " +
+                        internal::to_short_text(model.reflex_weight));
+    if (model.central_point && !is_finite(*model.central_point))
+      throw Input_error("the central control point is not finite");
+    std::vector<bool> has_point(model.loop.size(), false);
+    for (const auto& corner : model.corner_control_points) {
+      const std::string of_side = " at the end of side " + std::to_string(corner.index);
+      if (corner.index >= model.loop.size())
+        throw Input_error("there is an extra control point" + of_side + ", but no such side");
+      if (has_point[corner.index])
+        throw Input_error("there are two extra control points" + of_side);
+      if (!is_finite(corner.point))
+        throw Input_error("the extra control point" + of_side + " is not finite");
+      has_point[corner.index] = true;
     }
-    return Concave_bezier_basis(degrees_and_layers, model.central_weight,
-                                {model.parameter_dilation, model.reflex_weight},
-                                std::move(corners));
+  }
+
+  static bool is_finite(const Point_3& p) {
+    return CGAL::is_finite(p.x()) && CGAL::is_finite(p.y()) && CGAL::is_finite(p.z());
   }
 
   static std::vector<Point_3> control_points(const Model& model) {

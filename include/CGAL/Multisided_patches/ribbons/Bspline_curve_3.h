@@ -189,6 +189,14 @@ private:
                         std::to_string(degree_) + " to knot " +
                         std::to_string(control_points_.size()) + ", is the single number " +
                         text(degree_));
+    for (std::size_t i = 1; i < knots_.size(); ++i)
+      if (knots_[i] != knots_[i - 1] && !CGAL::is_finite(FT(FT(1) / FT(knots_[i] - knots_[i - 1]))))
+        throw Input_error("knots " + std::to_string(i - 1) + " and " + std::to_string(i) +
+                          " of a B-spline curve, " + text(i - 1) + " and " + text(i) +
+                          ", are too close to each other");
+    if (!CGAL::is_finite(FT(knots_.back() - knots_.front())))
+      throw Input_error("the knots of a B-spline curve are too far apart: they run from " +
+                        text(0) + " to " + text(knots_.size() - 1));
     for (std::size_t i = 0, next = 0; i < knots_.size(); i = next) {
       while (next < knots_.size() && knots_[next] == knots_[i])
         ++next;

@@ -48,7 +48,7 @@ public:
   /*!
    * stores a net.
    *
-   * \param sides n, at least 3
+   * \param sides n, from 3 to `max_sides`
    * \param degree d, from 1 to 1000 (120 in `float`)
    * \param control_points n l (d - l + 1) points ring by ring, and the central one at the end
    * (model units)
@@ -58,13 +58,6 @@ public:
   Generalized_bezier_net_3(std::size_t sides, std::size_t degree,
                            std::vector<Point_3> control_points)
       : sides_(sides), degree_(degree), control_points_(std::move(control_points)) {
-    if (sides < 3 || degree < 1)
-      throw Input_error("a control net needs at least 3 sides and degree 1, not " +
-                        std::to_string(sides) + " sides and degree " + std::to_string(degree));
-    constexpr std::size_t max_degree = internal::max_bernstein_degree<FT>();
-    if (degree > max_degree)
-      throw Input_error("a control net of degree " + std::to_string(degree) +
-                        " is beyond the largest degree, " + std::to_string(max_degree));
     if (control_points_.size() != number_of_control_points(sides, degree))
       throw Input_error("a control net of " + std::to_string(sides) + " sides and degree " +
                         std::to_string(degree) + " has " +
@@ -77,8 +70,20 @@ public:
     }
   }
 
-  //! the number of points that such a net has, the central one included
+  //! The largest number of sides.
+  static constexpr std::size_t max_sides = 1000000;
+
+  //! the number of points that such a net has, the central one included. \throws Input_error if
+  //! there are no such nets
   static std::size_t number_of_control_points(std::size_t sides, std::size_t degree) {
+    if (sides < 3 || sides > max_sides || degree < 1)
+      throw Input_error("a control net needs from 3 to " + std::to_string(max_sides) +
+                        " sides and degree 1 or more, not " + std::to_string(sides) +
+                        " sides and degree " + std::to_string(degree));
+    constexpr std::size_t max_degree = internal::max_bernstein_degree<FT>();
+    if (degree > max_degree)
+      throw Input_error("a control net of degree " + std::to_string(degree) +
+                        " is beyond the largest degree, " + std::to_string(max_degree));
     const std::size_t layers = (degree + 1) / 2;
     return sides * layers * (degree - layers + 1) + 1;
   }

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -18,45 +19,50 @@ namespace internal {
 //
 // A triangle whose edges are too long by a factor, its excess, has to give way to about the square
 // of that many. While a smooth surface is refined, the number of triangles to which this adds up
-// settles, and those that fail get fewer once they are small. Along a crease or a fold the excess
-// of the triangles stays the same, but their number grows without end.
+// settles, and round by round the excess falls. Along a crease or a fold it stays the same, and the
+// number of triangles grows without end.
 class Refinement_outlook {
 public:
   // `excess` has that of all triangles of the present mesh that are not within their bounds, at
   // least.
   void update(std::size_t triangles, const std::vector<double>& excess) {
-    double missing = 0, failing = 0;
+    Round now;
     for (const double e : excess)
       if (e > 1) {
-        missing += e * e;
-        ++failing;
+        now.missing += e * e;
+        ++now.failing;
       }
-    const double needed = static_cast<double>(triangles) + missing;
-    if (rounds_++ == 0) {
-      least_needed_ = needed;
-      first_missing_ = missing;
-      first_failing_ = failing;
-    }
+    const double needed = static_cast<double>(triangles) + now.missing;
     is_hopeless_ = needed > max_growth * least_needed_ + slack;
     least_needed_ = (std::min)(least_needed_, needed);
-    const bool grows =
-        missing > max_growth * first_missing_ + slack / 2 && failing > max_growth * first_failing_;
-    const bool stays = rounds_ > patience && failing > first_failing_ / 2 && failing > few;
-    is_stuck_ = grows || stays;
+    rounds_.push_back(now);
+    is_stuck_ =
+        rounds_.size() > patience && has_no_progress(rounds_[rounds_.size() - 1 - patience]);
   }
   bool is_hopeless() const { return is_hopeless_; }
-  // Whether triangles that are divided give way to as many that fail, or more.
+  // Whether the triangles that are divided give way to ones that fail as much as they did.
   bool is_stuck() const { return is_stuck_; }
 
 private:
+  struct Round {
+    double missing = 0, failing = 0;
+    double mean() const { return missing / failing; }
+  };
+
   // Small features show only when the mesh has become fine, and then ask for more triangles.
   static constexpr double max_growth = 4, slack = 2000;
   // A few triangles that fail round after round cost little.
-  static constexpr int patience = 10;
-  static constexpr double few = 500;
+  static constexpr double few = 300;
+  static constexpr std::size_t patience = 4;
 
-  int rounds_ = 0;
-  double least_needed_ = 0, first_missing_ = 0, first_failing_ = 0;
+  bool has_no_progress(const Round& before) const {
+    const Round& now = rounds_.back();
+    return now.failing > few && now.failing > 0.75 * before.failing &&
+           now.mean() > before.mean() / 2;
+  }
+
+  std::vector<Round> rounds_;
+  double least_needed_ = std::numeric_limits<double>::infinity();
   bool is_hopeless_ = false, is_stuck_ = false;
 };
 

@@ -113,7 +113,8 @@ protected:
     if (domain().size() != n || domain().number_of_loops() != 1)
       throw Input_error("the domain of a patch with " + std::to_string(n) +
                         " sides needs as many vertices in one loop, not " +
-                        std::to_string(domain().size()));
+                        std::to_string(domain().size()) + " in " +
+                        std::to_string(domain().number_of_loops()));
     control_net_.reserve(control_points.size());
     for (const Point_3& p : control_points)
       control_net_.push_back({p.x(), p.y(), p.z()});
