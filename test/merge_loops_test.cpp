@@ -9,10 +9,13 @@
 #include <CGAL/Multisided_patches/ribbons/merge_loops.h>
 
 #include <CGAL/Exact_rational.h>
+#include <CGAL/Kernel_traits.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -129,6 +132,43 @@ void check_sources(const Merged& merged, const Loop& first, const Loop& second) 
       CHECK(is_part(merged.loop[i], from[sources[0].side], sources[0].begin, sources[0].end));
     }
   }
+}
+
+// A loop between two curves, the lower one from left to right, with straight sides at both ends.
+template <typename Point_3>
+auto loop_between(const std::vector<Point_3>& lower, const std::vector<Point_3>& upper) {
+  using Kernel = typename CGAL::Kernel_traits<Point_3>::Kernel;
+  std::vector<MP::Bezier_ribbon_3<Kernel>> ribbons;
+  ribbons.emplace_back(lower.size() - 1, 1, lower);
+  ribbons.emplace_back(1, 1, std::vector<Point_3>{lower.back(), upper.back()});
+  ribbons.emplace_back(upper.size() - 1, 1, std::vector<Point_3>(upper.rbegin(), upper.rend()));
+  ribbons.emplace_back(1, 1, std::vector<Point_3>{upper.front(), lower.front()});
+  return MP::Ribbon_loop_3<Kernel>(ribbons);
+}
+
+// The left and the right half of such a loop with random curves of the given degree.
+template <typename Kernel>
+auto random_halves(Random& random, std::size_t degree) {
+  using Point_3 = typename Kernel::Point_3;
+  using Number = typename Kernel::FT;
+  std::vector<Point_3> lower, upper;
+  const auto height = [&] { return static_cast<double>(random.integer(0, 1000)) / 1000; };
+  for (std::size_t j = 0; j <= degree; ++j) {
+    lower.emplace_back(static_cast<double>(j), height(), height());
+    upper.emplace_back(static_cast<double>(j), 5 + height(), height());
+  }
+  const Number half = Number(1) / Number(2);
+  const auto below = MP::internal::split_curve(lower, half),
+             above = MP::internal::split_curve(upper, half);
+  return std::make_pair(loop_between(below.first, above.first),
+                        loop_between(below.second, above.second));
+}
+
+// The square [0,2]², and a loop with x = 2 in common with it up to y = `top`, both plane.
+std::pair<fixtures::Loop, fixtures::Loop> plane_squares(double top) {
+  using P = fixtures::Point_3;
+  return {loop_between<P>({P(0, 0, 0), P(2, 0, 0)}, {P(0, 2, 0), P(2, 2, 0)}),
+          loop_between<P>({P(2, 0, 0), P(4, 0, 0)}, {P(2, top, 0), P(4, 2, 0)})};
 }
 
 MP::Merge_options without_joining() {
@@ -332,6 +372,78 @@ TEST_CASE("In double, a side is cut where the other loop begins") {
     CHECK(merged.sources[4][0].end == Approx(from).epsilon(0).margin(1e-14));
     CHECK(merged.loop.corner_point(0) == right[0][3]);
   }
+}
+
+TEST_CASE("Rounded halves of a side join up to degree 16, exact ones at any degree") {
+  const unsigned seed = GENERATE(range(1u, 11u));
+  CAPTURE(seed);
+  Random random(seed);
+  const auto [left, right] = random_halves<fixtures::Kernel>(random, 16);
+  CHECK(MP::merge_loops(left, right).loop.size() == 4);
+  if (seed == 1) {
+    const auto [a, b] = random_halves<Exact>(random, 30);
+    CHECK(MP::merge_loops(a, b).loop.size() == 4);
+  }
+}
+
+TEST_CASE("The ends of two curves are the same or apart, with nothing in between") {
+  const double tolerance = std::sqrt(8.0) * 1e-9; // of the default, for the square
+  for (const double factor : {0.1, 0.5, 0.99, 1.01, 1.1, 1.5, 1.99, 2.01, 3.0, 10.0})
+    for (const double sign : {-1, 1}) {
+      CAPTURE(factor, sign);
+      const auto [a, b] = plane_squares(2 + sign * factor * tolerance);
+      // Apart, a small side is left over, and nothing joins at that end.
+      const std::size_t size = factor < 1 ? 6 : 7;
+      CHECK(MP::merge_loops(a, b, without_joining()).loop.size() == size);
+      CHECK(MP::merge_loops(b, a, without_joining()).loop.size() == size);
+    }
+}
+
+TEST_CASE("No slivers are left at either end of a side") {
+  // Much more than the tolerance of 1e-13 times the size, but nothing as a parameter.
+  MP::Merge_options options = without_joining();
+  options.relative_tolerance = 1e-13;
+  const auto at_end = plane_squares(2 - 1e-10);
+  CHECK(MP::merge_loops(at_end.first, at_end.second, options).loop.size() == 6);
+  CHECK(MP::merge_loops(at_end.second, at_end.first, options).loop.size() == 6);
+  // Upside down, so that what was the end is the start.
+  using P = fixtures::Point_3;
+  const auto lower = loop_between<P>({P(2, 1e-10, 0), P(4, 0, 0)}, {P(2, 2, 0), P(4, 2, 0)});
+  CHECK(MP::merge_loops(at_end.first, lower, options).loop.size() == 6);
+  CHECK(MP::merge_loops(lower, at_end.first, options).loop.size() == 6);
+}
+
+TEST_CASE("A tolerance that is none is refused") {
+  const Loop a = loop_over({{0, 0}, {2, 0}, {2, 2}, {0, 2}}),
+             b = loop_over({{2, 2}, {2, 0}, {4, 0}, {4, 2}});
+  MP::Merge_options options;
+  for (const double good : {0.0, 1e-6, MP::Merge_options::max_relative_tolerance}) {
+    options.relative_tolerance = good;
+    CHECK(MP::merge_loops(a, b, options).loop.size() == 4);
+  }
+  for (const double bad : {-1e-9, 0.011, std::numeric_limits<double>::infinity(),
+                           std::numeric_limits<double>::quiet_NaN()}) {
+    options.relative_tolerance = bad;
+    CHECK_THROWS_WITH(MP::merge_loops(a, b, options),
+                      Catch::Matchers::Contains("not between 0 and 0.01"));
+  }
+}
+
+TEST_CASE("Loops that touch apart from the shared chain are refused") {
+  using Catch::Matchers::Contains;
+  const Loop square = loop_over({{0, 0}, {2, 0}, {2, 2}, {0, 2}});
+  const auto loop_with = [](int x, int y) {
+    return loop_over({{2, 2}, {2, 0}, {4, 0}, {4, 4}, {0, 4}, {x, y}, {2, 3}});
+  };
+  // A corner on the upper side of the square, at its end, and beside it.
+  CHECK_THROWS_WITH(MP::merge_loops(square, loop_with(1, 2)),
+                    Contains("start of side 5 of the second is inside side 2 of the first"));
+  CHECK_THROWS_WITH(MP::merge_loops(loop_with(1, 2), square),
+                    Contains("start of side 5 of the first is inside side 2 of the second"));
+  CHECK_THROWS_WITH(MP::merge_loops(square, loop_with(0, 2)),
+                    Contains("start of side 3 of the first is that of side 5 of the second"));
+  CHECK(MP::merge_loops(square, loop_with(1, 3)).loop.size() == 8);
+  CHECK(MP::merge_loops(loop_with(1, 3), square).loop.size() == 8);
 }
 
 TEST_CASE("Loops that share nothing, or in the same direction, are refused") {

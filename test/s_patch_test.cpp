@@ -14,6 +14,7 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Simple_cartesian.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -386,13 +387,48 @@ TEST_CASE("Jets give the derivatives of an S-patch") {
 }
 
 TEST_CASE("Weights of great depth neither overflow nor lose their sum") {
-  const MP::S_patch_basis basis(3, 1000);
+  const MP::S_patch_basis basis(3, MP::S_patch_basis::max_depth);
   std::vector<double> weights(basis.size());
   for (const std::vector<double>& lambda :
        {std::vector<double>{0.5, 0.25, 0.25}, {1, 0, 0}, {0, 0.5, 0.5}, {0.01, 0.01, 0.98}}) {
     basis.evaluate(lambda, lambda.data(), weights.data());
     CHECK(std::accumulate(weights.begin(), weights.end(), 0.0) == Approx(1).epsilon(1e-11));
   }
+}
+
+TEST_CASE(
+    "Second derivatives of the greatest depth are finite on small domains, near vertices too") {
+  using Jet = MP::Jet_2<double, 2>;
+  const std::size_t depth = MP::S_patch_basis::max_depth;
+  const MP::S_patch_basis basis(3, depth);
+  std::vector<Jet> weights(basis.size());
+  for (const double side : {1.0, 1e-3, 1e-50})
+    for (const double near : {0.0, 1e-9, 1e-3, 0.3}) {
+      CAPTURE(side, near);
+      std::vector<Jet> lambda{Jet(1 - 2 * near), Jet(near), Jet(near)};
+      lambda[0][1] = lambda[0][2] = -1 / side;
+      lambda[1][1] = lambda[2][2] = 1 / side;
+      basis.evaluate(lambda, lambda.data(), weights.data());
+      CHECK(std::all_of(weights.begin(), weights.end(), [](const Jet& w) {
+        return std::all_of(&w[0], &w[0] + Jet::size, [](double x) { return std::isfinite(x); });
+      }));
+      // The net of a paraboloid, z = λ_1².
+      std::vector<Point_3> points;
+      const Net net(3, depth, std::vector<Point_3>(basis.size(), Point_3(0, 0, 0)));
+      const double d = static_cast<double>(depth);
+      net.for_each_control_point([&](const Index& i, const Point_3&) {
+        const double k = static_cast<double>(i[1]);
+        points.emplace_back(k / d, static_cast<double>(i[2]) / d, k * (k - 1) / (d * (d - 1)));
+      });
+      const std::array<Jet, 3> p = basis.combine(lambda, lambda.data(), points);
+      const auto close_to = [&](double x) { return Approx(x).epsilon(0).margin(1e-8); };
+      CHECK(p[0][1] * side == close_to(1));
+      CHECK(p[1][1] * side == close_to(0));
+      CHECK(p[2][1] * side == close_to(2 * near));
+      CHECK(p[2][3] * side * side == close_to(2));
+      CHECK(p[2][4] * side * side == close_to(0));
+      CHECK(p[2][5] * side * side == close_to(0));
+    }
 }
 
 TEST_CASE("The boundary of an S-patch is that of its net, in exact arithmetic") {
@@ -497,6 +533,44 @@ TEST_CASE("Loops of any size are filled") {
   }
 }
 
+TEST_CASE("Ribbons far from the origin agree up to rounding") {
+  const Graph<Kernel> graph{0.2, 0.1, -0.3, 0.7, 0.5};
+  std::vector<Point_2> plan;
+  for (const Point_2& p : pentagon<Kernel>())
+    plan.emplace_back(p.x() / 3, p.y() / 3);
+  const Loop loop = graph.loop(plan);
+  for (const double far : {1e4, 1e7, 1e9}) {
+    CAPTURE(far);
+    const auto moved_ribbons = [&] {
+      std::vector<Ribbon> ribbons;
+      for (const Ribbon& r : loop.ribbons()) {
+        std::vector<Point_3> points;
+        for (const Point_3& p : r.control_points())
+          points.push_back(p + far * Vector_3(1, -2, 3));
+        ribbons.emplace_back(r.degree(), r.layers(), points);
+      }
+      return ribbons;
+    };
+    const Loop away(moved_ribbons());
+    const Patch patch = MP::fill_with_S_patch(away, MP::Incompatible_ribbons::refuse);
+    CHECK_NOTHROW(Patch(patch.net(), away, patch.coordinates()));
+    const Patch near = MP::fill_with_S_patch(loop);
+    for (std::size_t i = 0; i < 5; ++i)
+      CHECK(patch.loop()[i].degree() == loop[i].degree());
+    const Point_2 center = CGAL::midpoint(patch.domain().vertex(0), patch.domain().vertex(2));
+    CHECK(distance(patch(center), near(center) + far * Vector_3(1, -2, 3)) < 1e-13 * far);
+    // What is no rounding error is refused as ever.
+    for (const std::size_t j : {0, 1}) {
+      std::vector<Ribbon> ribbons = moved_ribbons();
+      std::vector<Point_3> points = ribbons[1].control_points();
+      points[4 + j] = points[4 + j] + Vector_3(0, 0, 0.1);
+      ribbons[1] = Ribbon(3, 2, points);
+      CHECK_THROWS_WITH(MP::fill_with_S_patch(Loop(ribbons), MP::Incompatible_ribbons::refuse),
+                        Catch::Matchers::Contains("corner 1"));
+    }
+  }
+}
+
 TEST_CASE("Of ribbons with three layers the tangent planes are met") {
   const unsigned seed = 15;
   CAPTURE(seed);
@@ -581,7 +655,10 @@ TEST_CASE("Nets of S-patches that do not fit are refused") {
   CHECK_THROWS_AS(Net(huge, 3, ten), MP::Input_error);
   CHECK_THROWS_AS(Net(3, huge, ten), MP::Input_error);
   CHECK_THROWS_AS(Net(huge, huge, ten), MP::Input_error);
-  CHECK_THROWS_AS(Net(1000, 1000, ten), MP::Input_error);
+  CHECK_THROWS_AS(Net(1000, 200, ten), MP::Input_error);
+  CHECK(Net::number_of_control_points(3, 200) == 20301);
+  CHECK_THROWS_WITH(Net(3, 201, ten), Contains("beyond the largest, 1000 sides and depth 200"));
+  CHECK(MP::S_patch_net_3<CGAL::Simple_cartesian<float>>::max_depth == 60);
   std::vector<Point_3> bad = ten;
   bad[7] = Point_3(0, std::numeric_limits<double>::infinity(), 0);
   CHECK_THROWS_WITH(Net(3, 3, bad), Contains("control point 7"));
@@ -617,9 +694,27 @@ TEST_CASE("S-patches refuse ribbons and domains that do not fit") {
   ribbons[1] = Ribbon(3, 2, points);
   CHECK_THROWS_AS(MP::fill_with_S_patch(Loop(ribbons), patch.coordinates()), MP::Input_error);
   // corners at which the boundary goes straight on, of the domain and of the loop
-  const Mean_value with_straight_corner(Domain({{0, 0}, {1, 0}, {2, 0}, {2, 2}, {0, 2}}));
-  CHECK_THROWS_WITH(MP::fill_with_S_patch(loop, with_straight_corner),
-                    Contains("corner 1 of the domain is straight"));
-  const Loop straight = Graph<Kernel>().loop({{0, 0}, {1, 0}, {2, 0}, {2, 2}, {0, 2}});
-  CHECK_THROWS_WITH(MP::fill_with_S_patch(straight), Contains("corner 1 span no tangent plane"));
+  // or nearly so, or not quite
+  for (const double turn : {0.0, 1e-15, 1e-8, 1e-3, 1.7e-2, 1.8e-2}) {
+    CAPTURE(turn);
+    const std::vector<Point_2> plan{{0, 0}, {1, -std::tan(turn / 2)}, {2, 0}, {2, 2}, {0, 2}};
+    const Mean_value coordinates{Domain(plan)};
+    const Loop with_turn = Graph<Kernel>{0, 0, 0, 0, 0}.loop(plan);
+    if (turn > 1.75e-2) { // of a degree and more
+      CHECK_NOTHROW(MP::fill_with_S_patch(loop, coordinates));
+      CHECK_NOTHROW(MP::fill_with_S_patch(with_turn));
+      continue;
+    }
+    CHECK_THROWS_WITH(MP::fill_with_S_patch(loop, coordinates),
+                      Contains("corner 1 of the domain is straight"));
+    REQUIRE(with_turn.number_of_corners(MP::Corner_type::straight) == 1);
+    CHECK_THROWS_WITH(MP::fill_with_S_patch(with_turn),
+                      Contains("corner 1 of the loop is straight"));
+  }
+  // a net that would be too large
+  std::vector<Point_2> many;
+  for (int k = 0; k < 25; ++k)
+    many.emplace_back(std::cos(k * CGAL_PI / 12.5), std::sin(k * CGAL_PI / 12.5));
+  CHECK_THROWS_WITH(MP::fill_with_S_patch(Graph<Kernel>().loop(many)),
+                    Contains("593775 control points, more than 500000"));
 }

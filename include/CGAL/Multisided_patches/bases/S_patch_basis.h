@@ -35,6 +35,9 @@ namespace Multisided_patches {
  */
 class S_patch_basis {
 public:
+  //! the largest depth, up to which jets of second order do not overflow in `double`
+  static constexpr std::size_t max_depth = internal::max_s_patch_depth;
+
   /*!
    * \param sides n
    * \param depth d
@@ -43,7 +46,8 @@ public:
    */
   S_patch_basis(std::size_t sides, std::size_t depth)
       : sides_(sides), depth_(depth), size_(internal::number_of_multi_indices(sides, depth)) {
-    CGAL_precondition(sides >= 3 && depth >= 1 && size_ <= internal::max_multi_indices);
+    CGAL_precondition(sides >= 3 && depth >= 1 && depth <= max_depth);
+    CGAL_precondition(size_ <= internal::max_multi_indices);
   }
 
   std::size_t number_of_sides() const { return sides_; }

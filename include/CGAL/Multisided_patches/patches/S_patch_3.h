@@ -13,6 +13,7 @@
 #include <CGAL/Multisided_patches/internal/to_text.h>
 #include <CGAL/Multisided_patches/internal/vector_utils.h>
 #include <CGAL/Multisided_patches/patches/internal/Control_net_patch.h>
+#include <CGAL/Multisided_patches/patches/internal/Cross_derivatives.h>
 #include <CGAL/Multisided_patches/ribbons/Ribbon_loop_3.h>
 #include <CGAL/Multisided_patches/ribbons/S_patch_net_3.h>
 
@@ -73,7 +74,8 @@ public:
    *
    * \param net the control points
    * \param loop ribbons of degree at most d; the control points of their boundary curves, elevated
-   * to degree d, have to be those of the net, to 1e-9 of the diagonal of the loop
+   * to degree d, have to be those of the net, to 1e-9 of the diagonal of the loop and a few
+   * roundings of the largest coordinate
    * \param coordinates coordinates with one vertex for each side
    *
    * \throws Input_error if the numbers of vertices and sides differ, or the boundary curves are not
@@ -97,7 +99,7 @@ private:
     if (loop.size() != net.size())
       throw Input_error("a net with " + std::to_string(net.size()) +
                         " sides needs as many ribbons, not " + std::to_string(loop.size()));
-    const double tolerance = 1e-9 * loop.diagonal();
+    const double tolerance = 1e-9 * loop.diagonal() + 8 * internal::coordinate_rounding(loop);
     for (std::size_t i = 0; i < loop.size(); ++i)
       check_boundary(net.boundary(i), loop[i], i, tolerance);
     return loop;

@@ -9,13 +9,16 @@
 #include <CGAL/Multisided_patches/coordinates/Wachspress_coordinates_2.h>
 #include <CGAL/Multisided_patches/domains/make_regular_domain.h>
 #include <CGAL/Multisided_patches/errors.h>
+#include <CGAL/Multisided_patches/internal/vector_utils.h>
 #include <CGAL/Multisided_patches/patches/S_patch_3.h>
 #include <CGAL/Multisided_patches/patches/internal/Cross_derivatives.h>
 #include <CGAL/Multisided_patches/patches/internal/Free_point_placement.h>
 #include <CGAL/Multisided_patches/ribbons/Ribbon_loop_3.h>
 #include <CGAL/Multisided_patches/ribbons/S_patch_net_3.h>
+#include <CGAL/Multisided_patches/ribbons/internal/corner_geometry.h>
 
 #include <CGAL/Origin.h>
+#include <CGAL/number_utils.h>
 
 #include <cstddef>
 #include <string>
@@ -51,11 +54,17 @@ public:
   using Domain = Polygonal_domain_2<Traits>;
   using Net = S_patch_net_3<Traits>;
 
+  // The largest net that is filled; its free points take minutes.
+  static constexpr std::size_t max_control_points = 500000;
+  // Domain corners that turn by less (radians) count as straight, as those of loops do: control
+  // points move away from the loop with the inverse of the turn.
+  static constexpr double min_domain_turn = straight_turn;
+
   S_patch_filler(const Loop& loop, const Domain& domain, Incompatible_ribbons incompatible)
       : domain_(domain),
         derivatives_(checked(loop, domain), domain, incompatible == Incompatible_ribbons::refuse),
         loop_(derivatives_.ribbons()), depth_(derivatives_.degree() + 3) {
-    const std::size_t number = Net::number_of_control_points(loop.size(), depth_);
+    const std::size_t number = checked_number_of_control_points();
     points_.assign(number, Point_3(ORIGIN));
     is_fixed_.assign(number, false);
     for (std::size_t i = 0; i < loop.size(); ++i)
@@ -79,12 +88,38 @@ private:
       throw Input_error("the domain of a patch with " + std::to_string(loop.size()) +
                         " sides needs as many vertices in one loop, not " +
                         std::to_string(domain.size()));
-    for (std::size_t i = 0; i < domain.size(); ++i)
-      if (domain.corner_type(i) == Corner_type::straight)
-        throw Input_error("corner " + std::to_string(i) +
-                          " of the domain is straight; an S-patch cannot be fitted to the ribbons "
-                          "that meet there");
+    for (std::size_t i = 0; i < domain.size(); ++i) {
+      if (loop.corner_type(i) == Corner_type::straight)
+        throw straight_corner(i, "loop");
+      if (turn(domain, i) < min_domain_turn)
+        throw straight_corner(i, "domain");
+    }
     return loop;
+  }
+
+  static Input_error straight_corner(std::size_t i, const std::string& owner) {
+    return Input_error("corner " + std::to_string(i) + " of the " + owner +
+                       " is straight, or turns by less than 1 degree; an S-patch cannot be fitted "
+                       "to the ribbons that meet there");
+  }
+
+  // The angle between the side of the domain that arrives at vertex i and the one that leaves.
+  static double turn(const Domain& domain, std::size_t i) {
+    const auto side = [&](std::size_t k) {
+      const auto d = domain.vertex(domain.next(k)) - domain.vertex(k);
+      return normalized({CGAL::to_double(d.x()), CGAL::to_double(d.y()), 0});
+    };
+    return angle_between(side(domain.prev(i)), side(i));
+  }
+
+  std::size_t checked_number_of_control_points() const {
+    const std::size_t number = Net::number_of_control_points(loop_.size(), depth_);
+    if (number > max_control_points)
+      throw Input_error("to fill a loop with " + std::to_string(loop_.size()) +
+                        " sides by an S-patch of depth " + std::to_string(depth_) + " takes " +
+                        std::to_string(number) + " control points, more than " +
+                        std::to_string(max_control_points));
+    return number;
   }
 
   // the control points of boundary curve i, elevated to the depth
@@ -178,12 +213,19 @@ private:
  * \return the patch; its `loop()` has the ribbons that it meets, with 2 layers
  *
  * \throws Input_error if a ribbon has a single layer, or does not lead inwards at its ends as its
- * neighbours do; if a corner of the loop or of the domain is straight; if the numbers of vertices
- * and ribbons differ; or if the net would be too large
+ * neighbours do; if a corner of the loop or of the domain is straight or turns by less than 1
+ * degree; if the numbers of vertices and ribbons differ; if the depth is beyond that of
+ * `S_patch_net_3`; or if the net would have more than 500,000 control points, as for ribbons of
+ * degree 3 on more than 24 sides
  * \throws Numerical_error if the equations of the inner control points cannot be solved
  *
- * Complexity: see `S_patch_net_3` for the number N of control points; the time is somewhat more
- * than linear in N.
+ * Complexity: there are N = (n + d - 1 choose d) control points for n sides and depth d. The inner
+ * ones take the time: conjugate gradients, of O(N min(n, d)) for each iteration. The number of
+ * iterations grows, too, about as n² for a given depth; so the time grows faster than N, and nearly
+ * as N² once the caches are too small. Ribbons of degree 3 are practical up to about 16 sides,
+ * where N is 54,264, in seconds; with 20 sides and 177,100 points they take tens of seconds, with
+ * 24 and 475,020 more than a minute. As many points with few sides and a great depth take longer
+ * still.
  */
 template <typename Traits, typename Coordinates>
 S_patch_3<Traits, Coordinates>

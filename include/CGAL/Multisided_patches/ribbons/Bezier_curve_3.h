@@ -171,6 +171,10 @@ public:
    * curve: the sum of their squared distances is smallest. Points of the two curves at one
    * parameter are never farther apart than the farthest of these control points.
    *
+   * From degree 4 on this is not what `Bezier_ribbon_3::reduced()` does with a curve that is no
+   * elevation: that one keeps derivatives at the ends, which change here, and moves the control
+   * points farther instead.
+   *
    * A curve is an elevation if Σ (-1)^j (d over j) P_j is zero. So the inner control points are
    * projected onto this linear condition, and the result is solved for the points of degree d - 1
    * from both ends towards the middle. Complexity: O(d). \pre `degree() >= 2`

@@ -172,7 +172,9 @@ public:
    * the ribbon with a lower degree along the side: the one of which this is the elevation, if there
    * is one. Otherwise it is an approximation. Each step from a degree d to d - 1 keeps the end
    * points of all rows, and their derivatives at both ends up to order ⌊d/2⌋ - 1; in exact
-   * arithmetic ribbons that agree at a corner so far still do.
+   * arithmetic ribbons that agree at a corner so far still do. From degree 4 on
+   * `Bezier_curve_3::reduced()` is another approximation: it keeps the end points only, for a least
+   * squares fit of the control points.
    *
    * With inexact arithmetic the reversed ribbon gives the same control points, bit for bit.
    *

@@ -15,6 +15,7 @@
 #include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <numeric>
@@ -53,12 +54,15 @@ public:
 
   //! the largest number of sides, and of control points
   static constexpr std::size_t max_sides = 1000, max_control_points = internal::max_multi_indices;
+  //! the largest depth: 200, or 60 in `float`, such that second derivatives do not overflow
+  static constexpr std::size_t max_depth =
+      (std::min)(internal::max_s_patch_depth, internal::max_bernstein_degree<FT>() / 2);
 
   /*!
    * stores a net.
    *
    * \param sides n, from 3 to 1000
-   * \param depth d, from 1 to 1000 (120 in `float`)
+   * \param depth d, from 1 to 200 (60 in `float`)
    * \param control_points (n + d - 1 choose d) points in lexicographically descending order of
    * their multi-indices (model units)
    *
@@ -87,7 +91,6 @@ public:
     if (sides < 3 || depth < 1)
       throw Input_error("an S-patch needs at least 3 sides and depth 1, not " +
                         std::to_string(sides) + " sides and depth " + std::to_string(depth));
-    constexpr std::size_t max_depth = internal::max_bernstein_degree<FT>();
     if (sides > max_sides || depth > max_depth)
       throw Input_error(text(sides, depth) + " is beyond the largest, " +
                         std::to_string(max_sides) + " sides and depth " +
@@ -155,7 +158,7 @@ public:
     return multi_index;
   }
 
-  //! the boundary curve of side `i` as a ribbon with one layer, of degree d. \throws Input_error
+  //! the boundary curve of side `i` as a ribbon with one layer, of degree d
   Bezier_ribbon_3<Traits> boundary(std::size_t i) const {
     std::vector<Point_3> points;
     for (std::size_t j = 0; j <= depth_; ++j)

@@ -6,11 +6,14 @@
 #ifndef CGAL_MULTISIDED_PATCHES_MERGE_LOOPS_H
 #define CGAL_MULTISIDED_PATCHES_MERGE_LOOPS_H
 
+#include <CGAL/Multisided_patches/errors.h>
+#include <CGAL/Multisided_patches/internal/to_text.h>
 #include <CGAL/Multisided_patches/ribbons/Ribbon_loop_3.h>
 #include <CGAL/Multisided_patches/ribbons/internal/Loop_merger.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -18,8 +21,12 @@ namespace Multisided_patches {
 
 //! Options of `merge_loops()`.
 struct Merge_options {
+  //! the largest `relative_tolerance`
+  static constexpr double max_relative_tolerance = 0.01;
+
   //! how far control points of curves that should be the same may be apart, as a fraction of the
-  //! larger of the diagonals of the two loops; `float` needs a larger one
+  //! larger of the diagonals of the two loops, from 0 to `max_relative_tolerance`; `float` needs a
+  //! larger one than the default
   double relative_tolerance = 1e-9;
   //! whether two ribbons that meet at an end of the shared chain become one side, if they are
   //! pieces of one ribbon
@@ -64,11 +71,20 @@ struct Merged_loop_3 {
  *
  * At each end of the chain two ribbons meet. If they are the pieces of one ribbon, of the same
  * degree and with as many layers, then they become one side again, unless
- * `Merge_options::join_sides` is off or only 3 sides are left.
+ * `Merge_options::join_sides` is off or only 3 sides are left. The whole ribbon is extrapolated
+ * from the longer piece, which amplifies rounding errors exponentially with the degree d, by up to
+ * 3^d. In double, with the default tolerance, halves of a ribbon join up to a degree of about 16,
+ * and longer pieces up to higher ones; beyond that they stay two sides. In exact arithmetic there
+ * is no limit.
  *
- * \throws Input_error if the loops share no curve; if they share two or more separate chains, so
- * that the merged surface would have a hole; if they also meet at another corner; if two sides of
- * one lie on the same part of a side of the other; or if fewer than 3 sides would be left
+ * The merged loop must not touch itself: a corner of one loop may lie on the other one, within the
+ * tolerance, on the shared chain only. Whether sides cross or touch each other in their insides is
+ * not looked for.
+ *
+ * \throws Input_error if the relative tolerance is out of range; if the loops share no curve; if
+ * they share two or more separate chains, so that the merged surface would have a hole; if a corner
+ * of one lies on the other apart from the shared chain; if two sides of one lie on the same part of
+ * a side of the other; or if fewer than 3 sides would be left
  *
  * Complexity: for each pair of sides whose boundary curves have overlapping bounding boxes, cubic
  * in their degree, plus the size of the loops.
@@ -77,9 +93,14 @@ template <typename Traits>
 Merged_loop_3<Traits> merge_loops(const Ribbon_loop_3<Traits>& first,
                                   const Ribbon_loop_3<Traits>& second,
                                   const Merge_options& options = {}) {
+  const double tolerance = options.relative_tolerance;
+  if (!(0 <= tolerance && tolerance <= Merge_options::max_relative_tolerance))
+    throw Input_error("the relative tolerance for merging loops is " +
+                      internal::to_short_text(tolerance) + ", not between 0 and " +
+                      internal::to_short_text(Merge_options::max_relative_tolerance));
   const double size = (std::max)(first.diagonal(), second.diagonal());
-  return internal::Loop_merger<Merged_loop_3<Traits>>(
-      first, second, options.relative_tolerance * size, options.join_sides)();
+  return internal::Loop_merger<Merged_loop_3<Traits>>(first, second, tolerance * size,
+                                                      options.join_sides)();
 }
 
 } // namespace Multisided_patches

@@ -12,12 +12,14 @@
 #include <CGAL/Multisided_patches/internal/vector_utils.h>
 #include <CGAL/Multisided_patches/ribbons/Ribbon_loop_3.h>
 
+#include <CGAL/Bbox_3.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -41,6 +43,20 @@ Side_coordinates<typename Traits::FT> side_coordinates(const Polygonal_domain_2<
   const auto w = domain.vertex(to) - domain.vertex(from);
   const typename Traits::FT squared = e.x() * e.x() + e.y() * e.y();
   return {(w.x() * e.x() + w.y() * e.y()) / squared, (e.x() * w.y() - e.y() * w.x()) / squared};
+}
+
+// The rounding error of the largest coordinate of a loop (model units): what far from the origin
+// the differences of its points are uncertain by, whatever their lengths.
+template <typename Traits>
+double coordinate_rounding(const Ribbon_loop_3<Traits>& loop) {
+  using FT = typename Traits::FT;
+  const Bbox_3& box = loop.bbox();
+  double largest = 0;
+  for (int c = 0; c < 3; ++c)
+    largest = (std::max)({largest, std::abs((box.min)(c)), std::abs((box.max)(c))});
+  // Points in exact arithmetic have mostly been rounded before.
+  const double epsilon = CGAL::to_double(std::numeric_limits<FT>::epsilon());
+  return (std::max)(epsilon, std::numeric_limits<double>::epsilon()) * largest;
 }
 
 /*!
@@ -76,7 +92,8 @@ public:
    * corner span no tangent plane
    */
   Cross_derivatives(const Loop& loop, const Domain& domain, bool refuse_to_change)
-      : domain_(domain), refuse_to_change_(refuse_to_change), ends_(loop.size()) {
+      : domain_(domain), refuse_to_change_(refuse_to_change),
+        point_error_(4 * coordinate_rounding(loop)), ends_(loop.size()) {
     for (std::size_t i = 0; i < loop.size(); ++i)
       ribbons_.push_back(two_layers(loop[i], i));
     for (std::size_t i = 0; i < loop.size(); ++i)
@@ -121,8 +138,9 @@ public:
   }
 
 private:
-  // Relative to lengths of the ribbons. Differences above the first are refused, if any are; below
-  // the second they are rounding errors, which are no reason to elevate a ribbon.
+  // Relative to lengths of the ribbons, and in addition to what rounded coordinates explain.
+  // Differences above the first are refused, if any are; below the second they are rounding errors,
+  // which are no reason to elevate a ribbon.
   static constexpr double agreement = 1e-9, rounding = 1e-13;
 
   // What is known of a side at one of its ends: α, β, and what β' is more there than if β were
@@ -216,7 +234,9 @@ private:
       const std::size_t side = end == 0 ? i : prev(i);
       const Vector_3 h = inwards(side, end, 0);
       const FT off = h * n;
-      if (refuse_to_change_ && std::abs(CGAL::to_double(off)) > agreement * length(h) * length(n))
+      const double tolerance =
+          (agreement * length(n) + direction_error(i)) * length(h) + 3 * point_error_ * length(n);
+      if (refuse_to_change_ && std::abs(CGAL::to_double(off)) > tolerance)
         throw Input_error("the ribbon of side " + std::to_string(side) + " leaves corner " +
                           std::to_string(i) + " out of the plane of the two boundary curves");
       move_inner_point(side, end == 0 ? 0 : ribbons_[side].degree(),
@@ -251,6 +271,34 @@ private:
     return end == 0 ? sum : -sum;
   }
 
+  // What rounded coordinates make of the directions of the boundary at corner i, as an angle.
+  double direction_error(std::size_t i) const {
+    return point_error_ * (double(ribbons_[i].degree()) / length(to_next(i)) +
+                           double(ribbons_[prev(i)].degree()) / length(to_prev(i)));
+  }
+
+  // Their effect on `twist()`: of every term the relative error of its first derivatives, from
+  // which α, β and the normal come as well, and the absolute one of its second differences.
+  double twist_error(std::size_t side, std::size_t end) const {
+    const std::array<End, 2>& ends = ends_[side];
+    const double d = double(ribbons_[side].degree()), e = length(along(side, end));
+    const double h0 = length(inwards(side, 0, 0)), h1 = length(inwards(side, 1, 0));
+    const double h = (std::max)(h0, h1);
+    const double relative =
+        direction_error(side) + direction_error(next(side)) + 3 * point_error_ * (1 / h0 + 1 / h1);
+    const auto size = [](const FT& a, const FT& b) {
+      return std::abs(CGAL::to_double(a)) + std::abs(CGAL::to_double(b));
+    };
+    const double alpha = size(ends[0].alpha, ends[1].alpha);
+    const double beta = size(ends[0].beta, ends[1].beta) + alpha * h / e;
+    const double of_e_slope = relative * length(along_slope(side, end)) + 4 * d * d * point_error_;
+    const double of_h_slope = relative * length(inwards_slope(side, end)) + 12 * d * point_error_;
+    const Side_coordinates<FT> w = other_side(side, end);
+    return size(w.y, FT(0)) *
+               (alpha * (relative * h + of_h_slope) + beta * (relative * e + of_e_slope)) +
+           size(w.x, FT(0)) * of_e_slope;
+  }
+
   void set_slopes(std::size_t i) {
     const std::size_t before = prev(i);
     reconcile_twists(i);
@@ -268,9 +316,10 @@ private:
     const std::size_t before = prev(i);
     const Vector_3& n = normals_[i];
     const FT difference = (twist(before, 1) - twist(i, 0)) * n;
-    const double gap = std::abs(CGAL::to_double(difference)) /
-                       (length(n) * (length(to_next(i)) + length(to_prev(i))));
-    if (refuse_to_change_ && gap > agreement)
+    const double scale = length(n) * (length(to_next(i)) + length(to_prev(i)));
+    const double gap = std::abs(CGAL::to_double(difference)) / scale;
+    const double error = (twist_error(before, 1) + twist_error(i, 0)) / scale;
+    if (refuse_to_change_ && gap > agreement + error)
       throw Input_error("the twists of the ribbons that meet at corner " + std::to_string(i) +
                         " do not agree: along the two sides the normal turns differently, by " +
                         to_short_text(gap) + " of the lengths of the derivatives");
@@ -278,7 +327,7 @@ private:
       const std::size_t side = end == 0 ? i : before;
       if (ribbons_[side].degree() < 3) {
         // Its two ends have no inner points of their own.
-        if (!(gap > rounding))
+        if (!(gap > rounding + error))
           continue;
         ribbons_[side] = ribbons_[side].elevated(3);
       }
@@ -308,6 +357,7 @@ private:
 
   const Domain& domain_;
   bool refuse_to_change_;
+  double point_error_; // of a difference of points: a few roundings of the largest coordinate
   std::vector<Ribbon> ribbons_;
   std::vector<std::array<End, 2>> ends_; // of each side
   std::vector<Vector_3> normals_;        // at each corner, of any length

@@ -64,21 +64,28 @@ std::vector<Point_3> net_of_corners(const std::vector<Point_3>& corners, std::si
  * of conjugate gradients for solving linear systems*, Journal of Research of the National Bureau of
  * Standards 49, 1952).
  *
- * The tolerance is relative to all of b, as a column that is zero but for rounding errors could not
- * reach one of its own.
+ * The columns of A are scaled to length 1, which is a diagonal preconditioner. The tolerance is
+ * relative to all of b, as a column that is zero but for rounding errors could not reach one of its
+ * own.
  *
  * \throws Numerical_error if this takes too many iterations
  */
-inline Eigen::MatrixXd least_squares_solution(const Eigen::SparseMatrix<double>& a,
+inline Eigen::MatrixXd least_squares_solution(Eigen::SparseMatrix<double> a,
                                               const Eigen::MatrixXd& b) {
   constexpr double tolerance = 1e-12;
-  const Eigen::Index max_iterations = 100 + 10 * a.cols();
+  // More than ten times what 20 sides of depth 6, or 3 sides of depth 100, take.
+  constexpr int max_iterations = 20000;
+  Eigen::VectorXd scale(a.cols());
+  for (Eigen::Index column = 0; column < a.cols(); ++column) {
+    scale[column] = 1 / a.col(column).norm();
+    a.col(column) *= scale[column];
+  }
   Eigen::MatrixXd solution(a.cols(), b.cols());
   for (Eigen::Index column = 0; column < b.cols(); ++column) {
     Eigen::VectorXd x = Eigen::VectorXd::Zero(a.cols()), residual = b.col(column);
     Eigen::VectorXd gradient = a.transpose() * residual, direction = gradient;
     double squared = gradient.squaredNorm();
-    for (Eigen::Index k = 0; squared > tolerance * tolerance * b.squaredNorm(); ++k) {
+    for (int k = 0; squared > tolerance * tolerance * b.squaredNorm(); ++k) {
       if (k == max_iterations)
         throw Numerical_error("the inner control points of the S-patch could not be computed: the "
                               "iteration does not converge");
@@ -90,7 +97,7 @@ inline Eigen::MatrixXd least_squares_solution(const Eigen::SparseMatrix<double>&
       const double previous = std::exchange(squared, gradient.squaredNorm());
       direction = gradient + (squared / previous) * direction;
     }
-    solution.col(column) = x;
+    solution.col(column) = scale.cwiseProduct(x);
   }
   return solution;
 }
@@ -128,7 +135,9 @@ public:
    *
    * \throws Numerical_error if the problem cannot be solved
    *
-   * Complexity: O(√κ N min(n, d)) for N points, with a condition κ that grows with the depth.
+   * Complexity: O(N min(n, d)) for N points and each of the iterations, whose number grows about
+   * as n² for a given depth d: 50 for n = 5 and d = 6, 1000 for n = 20 and d = 6, and 1600 for n =
+   * 3 and d = 100.
    */
   void operator()(std::vector<Point_3>& points) const {
     if (number_of_unknowns_ == 0)
@@ -137,7 +146,7 @@ public:
     Eigen::SparseMatrix<double> laplacian(rows, number_of_unknowns_);
     Eigen::MatrixXd right = Eigen::MatrixXd::Zero(rows, 3);
     set_up(points, laplacian, right);
-    const Eigen::MatrixXd solution = least_squares_solution(laplacian, right);
+    const Eigen::MatrixXd solution = least_squares_solution(std::move(laplacian), right);
     for (std::size_t i = 0; i < points.size(); ++i)
       if (unknown_[i] >= 0) {
         const auto d = solution.row(unknown_[i]);

@@ -115,24 +115,28 @@ private:
     return {};
   }
 
+  // Whether two ends of parts of a side, or of the side itself, are the same point, found twice.
+  static bool is_same_parameter(const FT& s, const FT& t) {
+    return std::abs(CGAL::to_double(FT(s - t))) < 1e-9;
+  }
+
   // All pieces of a loop in order, shared or not.
   std::vector<Piece> all_pieces(std::size_t loop,
                                 const std::vector<std::vector<Piece>>& shared) const {
-    // Ends of two shared parts this close to each other are the same point, found twice.
-    constexpr double same_parameter = 1e-9;
     std::vector<Piece> pieces;
     for (std::size_t side = 0; side < shared.size(); ++side) {
       FT end(0);
       for (Piece piece : shared[side]) {
-        const double gap = CGAL::to_double(FT(piece.source.begin - end));
-        if (std::abs(gap) < same_parameter)
+        if (is_same_parameter(piece.source.begin, end))
           piece.source.begin = end;
-        else if (gap < 0)
+        else if (piece.source.begin < end)
           throw Input_error("the loops cannot be merged: two sides of one share the same part of "
                             "side " +
                             std::to_string(side) + " of the other");
         else
           pieces.push_back({{loop, side, end, piece.source.begin}, false});
+        if (is_same_parameter(piece.source.end, FT(1)))
+          piece.source.end = FT(1);
         pieces.push_back(piece);
         end = piece.source.end;
       }
@@ -171,16 +175,37 @@ private:
 
   static std::string name(std::size_t loop) { return loop == 0 ? "first" : "second"; }
 
+  // A corner of one loop may be a corner of the other one, or inside one of its sides. The first
+  // sides of both, 0 and `seam`, start at the ends of the shared chain.
   void check_that_they_touch_nowhere_else(const std::vector<Side>& sides, std::size_t seam) const {
     for (std::size_t i = 1; i < seam; ++i)
       for (std::size_t j = seam + 1; j < sides.size(); ++j)
-        if (is_close(sides[i].ribbon.control_point(0, 0), sides[j].ribbon.control_point(0, 0),
-                     tolerance_))
-          throw Input_error("the loops cannot be merged: they meet apart from the chain that they "
-                            "share, where side " +
-                            std::to_string(sides[i].sources[0].side) + " of the first and side " +
-                            std::to_string(sides[j].sources[0].side) +
-                            " of the second start, so that the merged loop would touch itself");
+        if (is_close(start_of(sides[i]), start_of(sides[j]), tolerance_))
+          throw_touching("the start of " + name(sides[i]) + " is that of " + name(sides[j]));
+    for (std::size_t i = 0; i < seam; ++i)
+      for (std::size_t j = seam; j < sides.size(); ++j) {
+        if (i != 0)
+          check_that_start_is_off(sides[i], sides[j]);
+        if (j != seam)
+          check_that_start_is_off(sides[j], sides[i]);
+      }
+  }
+
+  void check_that_start_is_off(const Side& side, const Side& other) const {
+    if (!parameters_of(row_of(other.ribbon, 0), start_of(side), tolerance_).empty())
+      throw_touching("the start of " + name(side) + " is inside " + name(other));
+  }
+
+  [[noreturn]] static void throw_touching(const std::string& where) {
+    throw Input_error("the loops cannot be merged: they meet apart from the chain that they share, "
+                      "as " +
+                      where + ", so that the merged loop would touch itself");
+  }
+
+  static const Point_3& start_of(const Side& side) { return side.ribbon.control_point(0, 0); }
+  static std::string name(const Side& side) {
+    const Source& source = side.sources.front();
+    return "side " + std::to_string(source.side) + " of the " + name(source.loop);
   }
 
   // Makes `after` start exactly where `before` ends, if it does so within the tolerance. An end of

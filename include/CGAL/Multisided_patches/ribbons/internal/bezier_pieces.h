@@ -78,6 +78,10 @@ bool same_control_points(const std::vector<Point_3>& a, const std::vector<Point_
  * and with as many layers. Its own pieces are the given ones, up to `tolerance` for each control
  * point. Where it is cut follows from the speeds of the boundary curves: with v and w as the
  * derivatives where they meet, at v / (v + w).
+ *
+ * The longer piece is extrapolated to at most twice its length. There the Bernstein polynomials of
+ * degree d have absolute values with a sum of at most 3^d, the factor for errors of its control
+ * points: with rounded ones, pieces of high degree are not recognized.
  */
 template <typename Traits>
 std::optional<Bezier_ribbon_3<Traits>> join_ribbons(const Bezier_ribbon_3<Traits>& first,

@@ -79,6 +79,17 @@ public:
     }
     return t;
   }
+  // Whether the bounding box of the control points, and so the curve, is farther away in one
+  // coordinate.
+  bool box_is_farther_than(double distance) const {
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto less = [c](const Vec3& p, const Vec3& q) { return p[c] < q[c]; };
+      const auto [min, max] = std::minmax_element(points_.begin(), points_.end(), less);
+      if ((*min)[c] > distance || (*max)[c] < -distance)
+        return true;
+    }
+    return false;
+  }
   double polygon_length() const {
     double length = 0;
     for (std::size_t j = 1; j < points_.size(); ++j)
@@ -108,15 +119,23 @@ auto cut_parameter(const std::vector<Point_3>& curve, const Point_3& point, doub
   return squared_distance_at(fraction) <= squared_distance_at(FT(t)) ? fraction : FT(t);
 }
 
-// The parameters in the open interval (0,1) at which a curve may go through a point, which is none
-// of its end points.
+template <typename Point_3>
+bool is_close(const Point_3& a, const Point_3& b, double tolerance) {
+  return a == b || norm(to_vec3(a - b)) <= tolerance;
+}
+
+// The parameters in the open interval (0,1) at which a curve may go through a point; there are none
+// for a point that is one of its ends, within `tolerance`.
 template <typename Point_3>
 auto parameters_of(const std::vector<Point_3>& curve, const Point_3& point, double tolerance) {
   using FT = typename Kernel_traits<Point_3>::Kernel::FT;
   std::vector<FT> found;
+  // What is no end by this test has to be looked for inside, however close to an end it is.
+  if (is_close(curve.front(), point, tolerance) || is_close(curve.back(), point, tolerance))
+    return found;
   const Curve_from_point from_point(curve, point);
   const double close = (std::max)(tolerance, 1e-12 * from_point.polygon_length());
-  if (from_point.distance(0) <= 2 * close || from_point.distance(1) <= 2 * close)
+  if (from_point.box_is_farther_than(close))
     return found;
   const std::size_t samples = 16 * (curve.size() - 1);
   std::vector<double> distances, accepted;
@@ -148,11 +167,6 @@ template <typename FT>
 struct Curve_overlap {
   FT begin, end, other_begin, other_end;
 };
-
-template <typename Point_3>
-bool is_close(const Point_3& a, const Point_3& b, double tolerance) {
-  return a == b || norm(to_vec3(a - b)) <= tolerance;
-}
 
 // Whether two curves, of any degrees, are the same within `tolerance`.
 template <typename Point_3>

@@ -17,15 +17,16 @@ namespace CGAL {
 namespace Multisided_patches {
 namespace internal {
 
-/*!
- * \file
- * Tuples of non-negative integers with a given sum, in lexicographically descending order: (2,0,0),
- * (1,1,0), (1,0,1), (0,2,0), (0,1,1), (0,0,2).
- */
+// A tuple of non-negative integers. Those with a given sum come in lexicographically descending
+// order: (2,0,0), (1,1,0), (1,0,1), (0,2,0), (0,1,1), (0,0,2).
 using Multi_index = std::vector<std::size_t>;
 
 // The largest number of tuples with which the functions below can do.
 inline constexpr std::size_t max_multi_indices = 5000000;
+
+// The largest depth of an S-patch. Binomial coefficients, up to 2^200, times the second derivatives
+// of powers of coordinates stay within the range of double, also on domains of size 1e-100.
+inline constexpr std::size_t max_s_patch_depth = 200;
 
 // The number of tuples of `parts` integers with this sum, (parts + sum - 1 choose sum); if it is
 // beyond the largest one, that number plus 1. O(min(parts, sum)). \pre parts >= 1
