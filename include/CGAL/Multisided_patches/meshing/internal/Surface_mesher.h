@@ -36,7 +36,7 @@ namespace CGAL {
 namespace Multisided_patches {
 namespace internal {
 
-// Only triangles on sides deviate too much: more samples on the sides may help.
+// Deviations that more samples on the sides may bring within their bounds.
 class Coarse_sides_error : public Accuracy_error {
 public:
   using Accuracy_error::Accuracy_error;
@@ -342,19 +342,24 @@ private:
                                   : distance + " and " + angle) +
         " at (u,v) = (" + to_short_text(mesh.uv[t.vertices[0]].x) + ", " +
         to_short_text(mesh.uv[t.vertices[0]].y) + ")";
-    if (fails_on_sides_only(mesh, excess))
+    if (may_be_due_to_sides(mesh, excess))
       throw Coarse_sides_error(message, excess[worst]);
     throw Accuracy_error(message, excess[worst]);
   }
 
-  static bool fails_on_sides_only(const Sampled_mesh& mesh, const std::vector<double>& excess) {
+  // Whether more samples on the sides may help: it is a few triangles that deviate too much, such
+  // as next to a side whose segments are too long, or all of them have a segment for an edge. Along
+  // a crease or a fold there are many.
+  static bool may_be_due_to_sides(const Sampled_mesh& mesh, const std::vector<double>& excess) {
+    constexpr int few = 100;
+    int inside = 0;
     for (std::size_t t = 0; t < excess.size(); ++t) {
       const auto& neighbors = mesh.triangles[t].neighbors;
-      if (exceeds(excess[t]) &&
-          std::find(neighbors.begin(), neighbors.end(), Linked_triangle::none) == neighbors.end())
-        return false;
+      const bool has_segment =
+          std::find(neighbors.begin(), neighbors.end(), Linked_triangle::none) != neighbors.end();
+      inside += exceeds(excess[t]) && !has_segment;
     }
-    return true;
+    return inside <= few;
   }
 
   // Calls f(k) for k < n, and tells the visitor in between.
