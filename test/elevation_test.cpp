@@ -25,6 +25,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace MP = CGAL::Multisided_patches;
@@ -262,6 +263,19 @@ TEST_CASE("On four sides elevating a net is elevating a tensor product patch") {
     const Net net = tensor_product_net(grid, random_point(random));
     CHECK(same_but_for_idle_central_point(MP::elevate_net(net),
                                           tensor_product_net(elevated_grid(grid), Point(0, 0, 0))));
+  }
+}
+
+TEST_CASE("A central point without influence on a patch has none on the elevated one") {
+  Random random(17);
+  const std::vector<std::pair<std::size_t, std::size_t>> cases{{3, 1}, {3, 2}, {5, 1}, {4, 3}};
+  for (const auto& [n, d] : cases) {
+    const Net net = random_net(random, n, d);
+    std::vector<Point> points = net.control_points();
+    points.back() = Point(123456, 0, -654321);
+    for (std::size_t degree = d + 1; degree < d + 4; ++degree)
+      CHECK(MP::elevate_net(net, degree).control_points() ==
+            MP::elevate_net(net.with_control_points(points), degree).control_points());
   }
 }
 

@@ -21,8 +21,13 @@ namespace Multisided_patches {
 namespace internal {
 
 template <typename Traits>
-Generalized_bezier_net_3<Traits> elevated_by_one(const Generalized_bezier_net_3<Traits>& net) {
+Generalized_bezier_net_3<Traits> elevated_by_one(const Generalized_bezier_net_3<Traits>& given) {
   using Point_3 = typename Traits::Point_3;
+  // A central point without influence on the patch must not get any on the elevated one.
+  const bool matters =
+      Middle_weights<typename Traits::FT>(given.size(), given.degree()).central_point_matters();
+  const Generalized_bezier_net_3<Traits> net =
+      matters ? given : with_central_point(given, innermost_mean(given));
   const std::size_t d = net.degree() + 1;
   const auto in_row = [&](std::size_t corner, std::size_t a, std::size_t b) -> Point_3 {
     // In the middle of an even degree the two quads of a side meet.
@@ -87,7 +92,7 @@ Generalized_bezier_net_3<Traits> reduced_by_one(const Generalized_bezier_net_3<T
  *
  * The central point is the one with which the point of the patch in the middle of a regular domain
  * stays. Where the central point has no influence on the patch (degree 1, odd degrees on four
- * sides, degree 2 on three) it is the mean of the innermost row.
+ * sides, degree 2 on three) it is the mean of the innermost row, before the elevation and after it.
  *
  * On four sides this is the degree elevation of a tensor product patch, and the patch stays. With
  * other numbers of sides it changes between its sides and its middle. Two nets that share a
