@@ -184,8 +184,8 @@ TEST_CASE("Several bounds together are all kept") {
   const auto density = Density::chordal_deviation(chordal) & Density::normal_deviation(8) & length;
   const Domain_mesh domain_mesh = MP::mesh_domain(patch, density);
   const Deviations deviations(patch, domain_mesh);
-  // A triangle on a side may do without the reserve; then the bound holds at its own samples only.
-  CHECK(deviations.chordal <= 1.05 * chordal);
+
+  CHECK(deviations.chordal <= chordal);
   CHECK(deviations.normal <= 8);
   Mesh mesh;
   MP::tessellate(patch, domain_mesh, mesh);

@@ -174,6 +174,43 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("Large meshes, which are made of coarse ones, are valid, too") {
+  const unsigned seed = 20261122;
+  CAPTURE(seed);
+  Random random(seed);
+  std::vector<Domain> domains{Domain(slotted()), Domain(dumbbell(1e-3)), Domain(dumbbell(1e-9)),
+                              Domain(spiked()), square_with_triangular_hole()};
+  for (int k = 0; k < 20; ++k)
+    domains.emplace_back(star_shaped_polygon(random, random.integer(3, 25), 0.02));
+  for (std::size_t k = 0; k < domains.size(); ++k)
+    // 0, 1, 2 and 3 times are edges halved.
+    for (const double triangles : {5000., 20000., 30000., 100000.}) {
+      if (triangles > 50000 && k % 5 != 0)
+        continue;
+      const Domain& domain = domains[k];
+      CAPTURE(k, triangles);
+      const double spacing = std::sqrt(domain.area() / triangles * 4 / std::sqrt(3.0));
+      // Some sides are sampled more densely than others.
+      std::vector<std::size_t> counts = segments(domain, spacing);
+      counts[0] = 1 + counts[0] / 3;
+      counts[1] *= 2;
+      const Domain_mesh mesh = MP::triangulate_domain(domain, counts, spacing);
+      CHECK(MP::domain_mesh_defect(domain, mesh) == "");
+      CHECK(are_sharp_triangles_near_boundary(domain, mesh));
+    }
+}
+
+TEST_CASE("Large meshes far from the origin, where rounding is felt, are valid") {
+  for (const Domain& domain : {Domain(star()), square_with_triangular_hole()})
+    for (const double offset : {1e9, 1e11, 1e12}) {
+      const Domain moved = transformed(domain, 1, offset, offset / 3);
+      const double spacing = std::sqrt(domain.area() / 20000 * 4 / std::sqrt(3.0));
+      CAPTURE(domain.size(), offset);
+      const Domain_mesh mesh = triangulate(moved, spacing);
+      CHECK(MP::domain_mesh_defect(moved, mesh) == "");
+    }
+}
+
 TEST_CASE("Samples on the sides are the ones that were asked for") {
   const Domain domain(l_shape());
   const std::vector<std::size_t> counts{1, 7, 2, 3, 10, 4};

@@ -49,12 +49,41 @@ public:
   using Face_handle = typename Triangulation::Face_handle;
 
   // The domain is on the left of the edges from points[k] to points[next[k]], k < next.size(),
-  // which make up its boundary. Throws Numerical_error if points coincide or edges cross.
+  // which make up its boundary. Points whose `next` is `none` are left out. Throws Numerical_error
+  // if points coincide or edges cross.
   Boundary_triangulation(const std::vector<Point_2>& points, const std::vector<std::size_t>& next) {
-    insert(points);
+    insert(points, next);
     constrain(next);
     std::vector<Face_handle> inside = faces_along_boundary(next);
     add_reachable(inside);
+  }
+
+  // Takes over the triangles of a domain, which need not be Delaunay. What is outside is not
+  // triangulated: the boundary is that of one infinite face for each of its edges.
+  Boundary_triangulation(const std::vector<Point_2>& points,
+                         const std::vector<Linked_triangle>& triangles) {
+    auto& tds = triangulation_.tds();
+    tds.clear();
+    tds.set_dimension(2);
+    triangulation_.set_infinite_vertex(tds.create_vertex());
+    const std::vector<Vertex_handle> vertices = create_vertices(points);
+    std::vector<Face_handle> faces;
+    faces.reserve(triangles.size());
+    for (const Linked_triangle& t : triangles)
+      add(faces,
+          create_face(vertices[t.vertices[0]], vertices[t.vertices[1]], vertices[t.vertices[2]]));
+    std::vector<Face_handle> outside(points.size()); // by the start of the edge that is inside
+    for (std::size_t k = 0; k < triangles.size(); ++k)
+      for (int i = 0; i < 3; ++i)
+        if (triangles[k].neighbors[i] != none)
+          faces[k]->set_neighbor(i, faces[triangles[k].neighbors[i]]);
+        else
+          outside[triangles[k].vertices[(i + 1) % 3]] = close(faces[k], i);
+    for (const Face_handle f : outside)
+      if (f != Face_handle()) { // its corners are the infinite one, the end and the start
+        f->set_neighbor(2, outside[f->vertex(1)->info()]);
+        outside[f->vertex(1)->info()]->set_neighbor(1, f);
+      }
   }
 
   Triangulation& triangulation() { return triangulation_; }
@@ -75,13 +104,14 @@ public:
   }
 
 private:
-  void insert(const std::vector<Point_2>& points) {
+  void insert(const std::vector<Point_2>& points, const std::vector<std::size_t>& next) {
     std::vector<std::pair<Point_2, std::size_t>> numbered;
     numbered.reserve(points.size());
     for (std::size_t k = 0; k < points.size(); ++k)
-      numbered.emplace_back(points[k], k);
+      if (k >= next.size() || next[k] != none)
+        numbered.emplace_back(points[k], k);
     triangulation_.insert(numbered.begin(), numbered.end());
-    if (triangulation_.number_of_vertices() != points.size())
+    if (triangulation_.number_of_vertices() != numbered.size())
       throw Numerical_error("points of the domain's boundary coincide: its sides are too close to "
                             "each other, or too short, for the precision of the coordinates");
   }
@@ -93,10 +123,11 @@ private:
         handles[v->info()] = v;
     try {
       for (std::size_t k = 0; k < next.size(); ++k)
-        triangulation_.insert_constraint(handles[k], handles[next[k]]);
+        if (next[k] != none)
+          triangulation_.insert_constraint(handles[k], handles[next[k]]);
       // A constraint with another point on it is divided there, silently.
       for (std::size_t k = 0; k < next.size(); ++k)
-        if (!triangulation_.is_edge(handles[k], handles[next[k]]))
+        if (next[k] != none && !triangulation_.is_edge(handles[k], handles[next[k]]))
           throw Numerical_error("edges on the domain's boundary touch: its sides are too close to "
                                 "each other for the precision of the coordinates");
     } catch (const typename Triangulation::Intersection_of_constraints_exception&) {
@@ -130,6 +161,39 @@ private:
   static void add(std::vector<Face_handle>& faces, Face_handle f) {
     f->info() = faces.size();
     faces.push_back(f);
+  }
+
+  std::vector<Vertex_handle> create_vertices(const std::vector<Point_2>& points) {
+    std::vector<Vertex_handle> vertices;
+    vertices.reserve(points.size());
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      vertices.push_back(triangulation_.tds().create_vertex());
+      vertices.back()->set_point(points[k]);
+      vertices.back()->info() = k;
+    }
+    return vertices;
+  }
+
+  Face_handle create_face(Vertex_handle a, Vertex_handle b, Vertex_handle c) {
+    const Face_handle f = triangulation_.tds().create_face(a, b, c);
+    for (int i = 0; i < 3; ++i) {
+      f->set_constraint(i, false);
+      f->vertex(i)->set_face(f);
+    }
+    return f;
+  }
+
+  // Adds the infinite face behind an edge, which becomes a constraint.
+  Face_handle close(Face_handle inside, int i) {
+    const Face_handle f =
+        create_face(triangulation_.infinite_vertex(), inside->vertex(Triangulation::cw(i)),
+                    inside->vertex(Triangulation::ccw(i)));
+    f->info() = none;
+    f->set_neighbor(0, inside);
+    f->set_constraint(0, true);
+    inside->set_neighbor(i, f);
+    inside->set_constraint(i, true);
+    return f;
   }
 
   static Linked_triangle triangle(Face_handle f) {

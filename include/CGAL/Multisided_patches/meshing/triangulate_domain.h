@@ -65,10 +65,14 @@ Domain_mesh_2<Traits> triangulate_domain(const Polygonal_domain_2<Traits>& domai
   internal::Side_parameters sides;
   for (const std::size_t m : segments)
     sides.push_back(internal::even_parameters(m));
+  using Mesher = internal::Domain_mesher<Traits, internal::Uniform_metric>;
   const internal::Uniform_metric metric(spacing);
-  internal::Domain_mesher<Traits, internal::Uniform_metric> mesher(
-      domain, sides, metric, std::vector<std::size_t>(domain.size(), 0));
-  mesher.refine(Mesh_density::max_triangles / 2, [](std::size_t) {});
+  Mesher mesher(domain, sides, metric, std::vector<std::size_t>(domain.size(), 0),
+                Mesher::possible_halvings(domain, triangles));
+  constexpr std::size_t max_points = Mesh_density::max_triangles / 2;
+  const auto ignore_progress = [](std::size_t) {};
+  mesher.refine(max_points, ignore_progress);
+  mesher.halve_edges(max_points, ignore_progress);
   mesher.smooth(smoothing_sweeps);
   return mesher.finish();
 }

@@ -23,6 +23,7 @@
 #include <exception>
 #include <memory>
 #include <mutex>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
@@ -88,15 +89,10 @@ public:
   void run(const Mesh_density& density) {
     if (size() == 0)
       return;
-    if (density.target_triangles()) {
-      double area = 0;
-      for (const auto& mesher : meshers_)
-        area += mesher->area();
-      find_edge_length(*density.target_triangles(), area,
-                       [&](double length) { return mesh_domains(length); });
-    } else {
+    if (density.max_chordal_deviation() || density.max_normal_deviation())
       find_share_of_turn(density, [&](double share) { mesh_domains(density, share); });
-    }
+    else
+      mesh_domains_with_edge_length(density);
     meshers_.clear();
     group_vertices();
     split_chords(domain_meshes_, groups_);
@@ -164,19 +160,33 @@ private:
         std::rethrow_exception(error);
   }
 
-  // Returns the number of triangles.
-  std::size_t mesh_domains(const Mesh_density& density, double share_of_turn = 1) {
+  void mesh_domains(const Mesh_density& density, double share_of_turn) {
     const std::vector<Side_parameters> sides = sample_all(density, share_of_turn);
     for_each_patch([&](std::size_t k) {
-      domain_meshes_[k] =
-          density.max_chordal_deviation() || density.max_normal_deviation()
-              ? meshers_[k]->with_deviations(sides[k], density)
-              : meshers_[k]->with_edge_length(sides[k], *density.target_edge_length());
+      domain_meshes_[k] = meshers_[k]->with_deviations(sides[k], density);
     });
-    std::size_t triangles = 0;
-    for (const auto& mesh : domain_meshes_)
-      triangles += mesh.triangles.size();
-    return triangles;
+  }
+
+  void mesh_domains_with_edge_length(const Mesh_density& density) {
+    if (density.target_triangles()) {
+      double area = 0;
+      for (const auto& mesher : meshers_)
+        area += mesher->area();
+      find_edge_length(*density.target_triangles(), area,
+                       [&](double length) { return start(length); });
+    } else {
+      start(*density.target_edge_length());
+    }
+    for_each_patch([&](std::size_t k) { domain_meshes_[k] = meshers_[k]->finish(); });
+  }
+
+  // Returns the number of triangles that there will be.
+  std::size_t start(double edge_length) {
+    const std::vector<Side_parameters> sides =
+        sample_all(Mesh_density::edge_length(edge_length), 1);
+    std::vector<std::size_t> counts(size());
+    for_each_patch([&](std::size_t k) { counts[k] = meshers_[k]->start(sides[k], edge_length); });
+    return std::accumulate(counts.begin(), counts.end(), std::size_t(0));
   }
 
   // A shared side has the samples of the first patch.

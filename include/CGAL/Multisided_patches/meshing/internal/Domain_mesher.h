@@ -11,9 +11,12 @@
 #include <CGAL/Multisided_patches/internal/Linked_triangle.h>
 #include <CGAL/Multisided_patches/internal/to_text.h>
 #include <CGAL/Multisided_patches/meshing/Domain_mesh_2.h>
+#include <CGAL/Multisided_patches/meshing/internal/Edge_halver.h>
 #include <CGAL/Multisided_patches/meshing/internal/Metric_refiner.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -24,8 +27,12 @@ namespace internal {
 // For each side the parameters of its samples, increasing in (0,1).
 using Side_parameters = std::vector<std::vector<double>>;
 
-// A mesh of a domain in the making: samples on the sides, which stay as they are, triangulated at
-// its construction, and points inside, as many as a metric asks for.
+// A mesh of a domain in the making: samples on the sides, which stay as they are, and points
+// inside, as many as a metric asks for.
+//
+// A large mesh begins as a coarse one, on some of the samples, with edges 2 or 4 or more times as
+// long as wanted. Then these are halved, which takes in the other samples; and what is not good
+// enough after that, near the sides mostly, is refined point by point.
 template <typename Traits, typename Field>
 class Domain_mesher {
 public:
@@ -34,35 +41,90 @@ public:
   using Location = typename Domain::Location;
   using FT = typename Traits::FT;
 
-  // The hints are those with which the field is asked at the vertices of the domain.
+  // How many times the edges of a coarse mesh can be halved to get so many triangles. The coarse
+  // mesh has to show the shape of the domain, and how the metric changes.
+  static int possible_halvings(const Domain& domain, double expected_triangles) {
+    const double least = (std::max)(1500., 16. * static_cast<double>(domain.size()));
+    int halvings = 0;
+    for (; expected_triangles >= 4 * least; expected_triangles /= 4)
+      ++halvings;
+    return halvings;
+  }
+
+  // Triangulates the samples or, if edges will be halved, some of them. The hints are those with
+  // which the field is asked at the vertices of the domain.
   Domain_mesher(const Domain& domain, const Side_parameters& sides, const Field& field,
-                const std::vector<std::size_t>& hints)
-      : mesh_(sample_boundary(domain, sides)), triangulation_(mesh_.points, next(domain, sides)),
-        refiner_(triangulation_, mesh_.points, field, point_hints(sides, hints)) {}
+                const std::vector<std::size_t>& hints, int halvings = 0)
+      : mesh_(sample_boundary(domain, sides)), metric_(field), halvings_(halvings),
+        first_points_(first_points(domain, sides)) {
+    for (std::size_t i = 0, k = 0; i < sides.size(); ++i)
+      for (std::size_t j = 0, hint = hints[i]; j <= sides[i].size(); ++j, ++k) {
+        metric_.add(to_uv(mesh_.points[k]), hint);
+        hint = metric_.hint(k);
+      }
+    choose_samples(sides, 1);
+    start_with(next_points());
+    if (halvings == 0)
+      return;
+    // Now that we know that all samples can be triangulated, some are enough for a beginning.
+    choose_samples(sides, std::size_t(1) << halvings);
+    start_with(next_points());
+    metric_.scale_lengths(1. / (1 << halvings));
+  }
   Domain_mesher(const Domain_mesher&) = delete;
   Domain_mesher& operator=(const Domain_mesher&) = delete;
 
+  // Adds points inside, up to `max_points` points in all. Now and then it calls
+  // progress(number of points), which may throw.
   template <typename Progress>
   void refine(std::size_t max_points, const Progress& progress) {
-    refiner_.refine(max_points, progress);
+    refiner_->refine(max_points, progress);
     mesh_.locations.resize(mesh_.points.size(), Location::interior());
   }
-  void keep_off_sides(double share_of_length) { refiner_.keep_off_sides(share_of_length); }
-  void smooth(int sweeps) { refiner_.smooth(sweeps); }
+
+  // The number of triangles that there will be once edges have been halved.
+  std::size_t expected_triangles() const {
+    const std::size_t all = mesh_.number_of_boundary_points, inside = mesh_.points.size() - all,
+                      factor = std::size_t(1) << halvings_;
+    std::size_t samples = 0;
+    for (const std::size_t m : segments_)
+      samples += m > 0;
+    const std::size_t coarse = 2 * inside + samples + 2 * first_points_.size() - 4;
+    return factor * factor * coarse + all - factor * samples;
+  }
+
+  // Halves edges as many times as the constructor was told to, and refines what is not good enough.
+  template <typename Progress>
+  void halve_edges(std::size_t max_points, const Progress& progress) {
+    if (halvings_ == 0)
+      return;
+    refiner_->smooth(smoothing_sweeps);
+    if (!try_to_halve_edges(progress)) { // then the points inside are looked for one by one
+      mesh_.points.resize(mesh_.number_of_boundary_points);
+      metric_.shrink(mesh_.number_of_boundary_points);
+      std::fill(segments_.begin(), segments_.end(), 1);
+      start_with(next_points());
+    }
+    refine(max_points, progress);
+    refiner_->smooth_where_sharp(sharp_sweeps);
+  }
+
+  void keep_off_sides(double share_of_length) { refiner_->keep_off_sides(share_of_length); }
+  void smooth(int sweeps) { refiner_->smooth(sweeps); }
   // Divides triangles, given by their numbers in triangles().
   void divide(const std::vector<std::size_t>& triangles) {
-    refiner_.divide(triangles);
+    refiner_->divide(triangles);
     mesh_.locations.resize(mesh_.points.size(), Location::interior());
   }
 
   // Without triangles.
   const Mesh& mesh() const { return mesh_; }
-  std::vector<Linked_triangle> triangles() const { return triangulation_.triangles(); }
+  std::vector<Linked_triangle> triangles() const { return triangulation_->triangles(); }
 
   // The finished mesh. Ends the use of this object.
   Mesh finish() {
-    const std::vector<Linked_triangle> triangles = triangulation_.triangles();
-    triangulation_.triangulation().clear();
+    const std::vector<Linked_triangle> triangles = triangulation_->triangles();
+    triangulation_->triangulation().clear();
     mesh_.triangles.reserve(triangles.size());
     for (const Linked_triangle& t : triangles)
       mesh_.triangles.push_back(t.vertices);
@@ -70,6 +132,37 @@ public:
   }
 
 private:
+  static constexpr int smoothing_sweeps = 2, sharp_sweeps = 5;
+
+  // Returns false if rounding is in the way.
+  template <typename Progress>
+  bool try_to_halve_edges(const Progress& progress) {
+    Edge_halver<Traits, Field> halver(mesh_.points, metric_, triangulation_->triangles(),
+                                      segments_);
+    metric_.scale_lengths(1 << halvings_);
+    for (std::size_t length = std::size_t(1) << halvings_; length > 1; length /= 2) {
+      if (!halver.halve(static_cast<double>(length), length / 2))
+        return false;
+      progress(mesh_.points.size());
+    }
+    while (halver.are_samples_left())
+      if (!halver.halve(2, 1))
+        return false;
+    start_with(halver.triangles());
+    refiner_->smooth_where_sharp(sharp_sweeps);
+    return true;
+  }
+
+  // From the boundary, or from triangles.
+  template <typename Structure>
+  void start_with(const Structure& structure) {
+    refiner_.reset();
+    triangulation_.emplace(mesh_.points, structure);
+    refiner_.emplace(*triangulation_, mesh_.points, metric_, mesh_.number_of_boundary_points);
+  }
+
+  // --------------------------------------------------------------------------------- the boundary
+
   // The sizes of domains in which products of four lengths neither vanish nor overflow.
   static void check_size(const Domain& domain) {
     constexpr double smallest = 1e-70, largest = 1e70;
@@ -94,30 +187,51 @@ private:
     return mesh;
   }
 
-  // The point that follows each on the boundary.
-  static std::vector<std::size_t> next(const Domain& domain, const Side_parameters& sides) {
-    std::vector<std::size_t> next;
+  static std::vector<std::size_t> first_points(const Domain& domain, const Side_parameters& sides) {
+    std::vector<std::size_t> result;
+    std::size_t point = 0;
     for (std::size_t loop = 0; loop < domain.number_of_loops(); ++loop) {
-      const std::size_t first = next.size();
+      result.push_back(point);
       for (std::size_t i = domain.loop_begin(loop); i < domain.loop_begin(loop + 1); ++i)
-        for (std::size_t k = 0; k <= sides[i].size(); ++k)
-          next.push_back(next.size() + 1);
-      next.back() = first;
+        point += sides[i].size() + 1;
+    }
+    return result;
+  }
+
+  // Takes the vertices of the domain and about every `step`-th sample on its sides.
+  void choose_samples(const Side_parameters& sides, std::size_t step) {
+    segments_.clear();
+    for (const std::vector<double>& side : sides) {
+      const std::size_t first = segments_.size(), all = side.size() + 1,
+                        parts = (std::max)(std::size_t(1), all / step);
+      segments_.resize(first + all, 0);
+      for (std::size_t k = 0; k < parts; ++k)
+        segments_[first + k * all / parts] = (k + 1) * all / parts - k * all / parts;
+    }
+  }
+
+  // For those the one that follows it on the boundary.
+  std::vector<std::size_t> next_points() const {
+    std::vector<std::size_t> next(segments_.size(), Linked_triangle::none);
+    for (std::size_t loop = 0; loop < first_points_.size(); ++loop) {
+      const std::size_t first = first_points_[loop], end = loop + 1 < first_points_.size()
+                                                               ? first_points_[loop + 1]
+                                                               : segments_.size();
+      for (std::size_t k = first; k < end; k += segments_[k])
+        next[k] = k + segments_[k] < end ? k + segments_[k] : first;
     }
     return next;
   }
 
-  static std::vector<std::size_t> point_hints(const Side_parameters& sides,
-                                              const std::vector<std::size_t>& hints) {
-    std::vector<std::size_t> result;
-    for (std::size_t i = 0; i < sides.size(); ++i)
-      result.insert(result.end(), sides[i].size() + 1, hints[i]);
-    return result;
-  }
-
   Mesh mesh_;
-  Boundary_triangulation<Traits> triangulation_;
-  Metric_refiner<Traits, Field> refiner_;
+  Metric_at_points<Field> metric_;
+  int halvings_;
+  std::vector<std::size_t> first_points_; // of each loop
+  // For each point on the boundary that is triangulated at first the number of segments up to the
+  // next one, for others 0.
+  std::vector<std::size_t> segments_;
+  std::optional<Boundary_triangulation<Traits>> triangulation_;
+  std::optional<Metric_refiner<Traits, Field>> refiner_;
 };
 
 } // namespace internal

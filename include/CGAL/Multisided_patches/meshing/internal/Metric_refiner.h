@@ -52,6 +52,7 @@ class Metric_refiner : private Metric_triangulation<Traits, Field> {
 public:
   using Base::Base;
   using Base::smooth;
+  using Base::smooth_where_sharp;
 
   // Adds points until all is as it should be, or there are `max_points`. Now and then it calls
   // progress(number of points), which may throw.

@@ -7,7 +7,7 @@
 #define CGAL_MULTISIDED_PATCHES_MESHING_INTERNAL_METRIC_TRIANGULATION_H
 
 #include <CGAL/Multisided_patches/internal/Boundary_triangulation.h>
-#include <CGAL/Multisided_patches/meshing/internal/Metric_2.h>
+#include <CGAL/Multisided_patches/meshing/internal/Metric_at_points.h>
 
 #include <boost/container/small_vector.hpp>
 
@@ -24,9 +24,6 @@ namespace internal {
 // The triangulation of a domain with a metric at its vertices, in which it is kept Delaunay. The
 // metric says where edges are wanted; what is inside what, and which edges may be flipped, is
 // decided by exact predicates.
-//
-// Field is a function that gives the metric at a point; Metric_2 operator()(Uv, std::size_t& hint)
-// gets as a hint what it left behind at a vertex close by.
 template <typename Traits, typename Field>
 class Metric_triangulation {
 public:
@@ -37,17 +34,12 @@ public:
   using FT = typename Traits::FT;
   using Point_2 = typename Traits::Point_2;
 
-  // New points are appended to `points`. The hints are those of the points that there are.
-  Metric_triangulation(Boundary& boundary, std::vector<Point_2>& points, const Field& field,
-                       std::vector<std::size_t> hints)
-      : cdt_(boundary.triangulation()), points_(points), field_(field), hints_(std::move(hints)) {
-    const std::vector<std::size_t> given = hints_;
-    for (std::size_t k = 0; k < points_.size(); ++k) {
-      // Points with the same hint follow each other along a side.
-      if (k > 0 && given[k] == given[k - 1])
-        hints_[k] = hints_[k - 1];
-      metrics_.push_back(field_(to_uv(points_[k]), hints_[k]));
-    }
+  // New points are appended to `points` and `metric`, which have the others. Those inside may be
+  // moved, the first ones on the boundary are not.
+  Metric_triangulation(Boundary& boundary, std::vector<Point_2>& points,
+                       Metric_at_points<Field>& metric, std::size_t number_of_boundary_points)
+      : cdt_(boundary.triangulation()), points_(points), metric_(metric),
+        number_of_boundary_points_(number_of_boundary_points) {
     make_delaunay();
   }
 
@@ -59,7 +51,7 @@ public:
   static bool is_inside(Face_handle f) { return Boundary::is_inside(f); }
 
   Uv position(Vertex_handle v) const { return to_uv(v->point()); }
-  const Metric_2& metric(Vertex_handle v) const { return metrics_[v->info()]; }
+  const Metric_2& metric(Vertex_handle v) const { return metric_[v->info()]; }
   Metric_2 metric(Face_handle f) const {
     return 1. / 3 * (metric(f->vertex(0)) + metric(f->vertex(1)) + metric(f->vertex(2)));
   }
@@ -104,11 +96,11 @@ public:
     if (!is_strictly_inside(f, p))
       return Vertex_handle();
     const Point_2 point(FT(p.x), FT(p.y));
-    const std::size_t hint = hints_[f->vertex(0)->info()];
+    const std::size_t hint = metric_.hint(f->vertex(0)->info());
     const Vertex_handle v = cdt_.Triangulation::Ctr::insert(point, Triangulation::FACE, f, 0);
     v->info() = points_.size();
     points_.push_back(point);
-    add_metric(p, hint);
+    metric_.add(p, hint);
     auto face = cdt_.incident_faces(v), done = face;
     do
       if (face != f) // f has become one of the three; the others are new
@@ -128,12 +120,21 @@ public:
     }
   }
 
-private:
-  void add_metric(const Uv& p, std::size_t hint) {
-    metrics_.push_back(field_(p, hint));
-    hints_.push_back(hint);
+  // Does the same to the points of triangles with an angle below 32 degrees, and around these.
+  void smooth_where_sharp(int sweeps) {
+    for (int k = 0; k < sweeps; ++k) {
+      const std::vector<Vertex_handle> vertices = vertices_of_sharp_triangles();
+      for (const Vertex_handle v : vertices)
+        if (!smooth_point(v))
+          nudge_point(v);
+      std::vector<Face_handle> faces;
+      for (const Vertex_handle v : vertices)
+        for_each_face_around(v, [&](Face_handle f) { faces.push_back(f); });
+      make_delaunay(std::move(faces));
+    }
   }
 
+private:
   bool is_strictly_inside(Face_handle f, const Uv& p) const {
     const Point_2 point(FT(p.x), FT(p.y));
     for (int i = 0; i < 3; ++i)
@@ -178,13 +179,17 @@ private:
     }
   }
 
-  // Restores the Delaunay property everywhere. As the metric is not the same everywhere, flips
-  // could go round in circles; so their number is limited.
   void make_delaunay() {
-    std::vector<Face_handle> stack;
+    std::vector<Face_handle> faces;
     for (const Face_handle f : cdt_.finite_face_handles())
       if (is_inside(f))
-        stack.push_back(f);
+        faces.push_back(f);
+    make_delaunay(std::move(faces));
+  }
+
+  // Restores the Delaunay property where only edges of these faces may lack it. As the metric is
+  // not the same everywhere, flips could go round in circles; so their number is limited.
+  void make_delaunay(std::vector<Face_handle> stack) {
     std::size_t budget = 20 * stack.size();
     while (!stack.empty() && budget > 0) {
       Face_handle f = stack.back();
@@ -203,25 +208,79 @@ private:
 
   // --------------------------------------------------------------------------------- smoothing
 
-  void smooth_point(Vertex_handle v) {
-    if (v->info() < number_of_boundary_points_)
-      return;
+  // Calls f with the faces inside.
+  template <typename Function>
+  void for_each_face_around(Vertex_handle v, const Function& f) const {
+    auto face = cdt_.incident_faces(v), done = face;
+    do
+      if (is_inside(face))
+        f(Face_handle(face));
+    while (++face != done);
+  }
+
+  // And of their neighbours, in an order that does not depend on addresses.
+  std::vector<Vertex_handle> vertices_of_sharp_triangles() const {
+    constexpr double max_squared_ratio = 0.89; // of circumradius and shortest edge
+    std::vector<Vertex_handle> vertices;
+    for (const Face_handle f : cdt_.finite_face_handles()) {
+      if (!is_inside(f))
+        continue;
+      const Metric_triangle t = triangle(f);
+      if (t.squared_circumradius() > max_squared_ratio * t.squared_length(t.shortest_edge()))
+        for (int i = 0; i < 3; ++i)
+          for_each_face_around(f->vertex(i), [&](Face_handle g) {
+            vertices.insert(vertices.end(), {g->vertex(0), g->vertex(1), g->vertex(2)});
+          });
+    }
+    const auto index = [](Vertex_handle v) { return v->info(); };
+    std::sort(vertices.begin(), vertices.end(),
+              [&](Vertex_handle v, Vertex_handle w) { return index(v) < index(w); });
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    return vertices;
+  }
+
+  bool is_movable(Vertex_handle v) const { return v->info() >= number_of_boundary_points_; }
+
+  bool smooth_point(Vertex_handle v) {
+    if (!is_movable(v))
+      return false;
     Uv sum{0, 0};
     double weight = 0;
-    auto face = cdt_.incident_faces(v), done = face;
-    do {
-      const Metric_triangle t = triangle(face);
-      sum = sum + t.area() * centroid(face);
+    for_each_face_around(v, [&](Face_handle f) {
+      const Metric_triangle t = triangle(f);
+      sum = sum + t.area() * centroid(f);
       weight += t.area();
-    } while (++face != done);
-    const Uv target = 1 / weight * sum;
+    });
+    return move_point(v, 1 / weight * sum);
+  }
+
+  // Moves a point that smoothing leaves where it is a little towards or away from one of its
+  // neighbours, if that helps.
+  void nudge_point(Vertex_handle v) {
+    if (!is_movable(v))
+      return;
+    std::vector<Uv> directions;
+    const Uv p = position(v);
+    for_each_face_around(v, [&](Face_handle f) {
+      directions.push_back(position(f->vertex(Triangulation::ccw(f->index(v)))) - p);
+    });
+    for (const double step : {0.2, -0.2, 0.05, -0.05})
+      for (const Uv& d : directions)
+        if (move_point(v, p + step * d))
+          return;
+  }
+
+  // Moves a point if that makes the sharpest angle around it less sharp. Returns whether it did.
+  bool move_point(Vertex_handle v, const Uv& target) {
     const double before = worst_quality(v);
     const Point_2 old = v->point();
     v->set_point(Point_2(FT(target.x), FT(target.y)));
-    if (is_star_valid(v) && worst_quality(v) > before)
-      points_[v->info()] = v->point();
-    else
+    if (!is_star_valid(v) || !(worst_quality(v) > before)) {
       v->set_point(old);
+      return false;
+    }
+    points_[v->info()] = v->point();
+    return true;
   }
 
   bool is_star_valid(Vertex_handle v) const {
@@ -237,21 +296,17 @@ private:
   // The smallest ratio of shortest edge and circumradius, which is a matter of the sharpest angle.
   double worst_quality(Vertex_handle v) const {
     double worst = std::numeric_limits<double>::infinity();
-    auto face = cdt_.incident_faces(v), done = face;
-    do {
-      const Metric_triangle t = triangle(face);
+    for_each_face_around(v, [&](Face_handle f) {
+      const Metric_triangle t = triangle(f);
       worst = (std::min)(worst, t.squared_length(t.shortest_edge()) / t.squared_circumradius());
-    } while (++face != done);
+    });
     return worst;
   }
 
   Triangulation& cdt_;
   std::vector<Point_2>& points_;
-  const Field& field_;
-  std::size_t number_of_boundary_points_ = points_.size();
-  // By vertex: the metric, and where the field was last asked.
-  std::vector<Metric_2> metrics_;
-  std::vector<std::size_t> hints_;
+  Metric_at_points<Field>& metric_;
+  std::size_t number_of_boundary_points_;
 };
 
 } // namespace internal

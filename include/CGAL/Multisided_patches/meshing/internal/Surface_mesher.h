@@ -27,6 +27,7 @@
 #include <cstddef>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -62,14 +63,24 @@ public:
   // Of the surface (squared model units).
   double area() const { return coarse_metric_.area() * surface_.unit() * surface_.unit(); }
 
-  // Edges of a length (model units) on the average.
-  Mesh with_edge_length(const Side_parameters& sides, double length) {
-    Surface_metric metric = coarse_metric_;
-    metric.set_edge_length(length / surface_.unit());
-    check_count(metric, sides, "an edge length of " + to_short_text(length));
-    Mesher mesher(domain(), sides, metric, coarse_hints_);
-    refine(mesher, expected_points(metric, sides));
-    return mesher.finish();
+  // Begins a mesh with edges of a length (model units) on the average. Returns the number of
+  // triangles that it will have.
+  std::size_t start(Side_parameters sides, double length) {
+    sides_ = std::move(sides);
+    metric_ = coarse_metric_;
+    metric_.set_edge_length(length / surface_.unit());
+    check_count(metric_, sides_, "an edge length of " + to_short_text(length));
+    mesher_.emplace(domain(), sides_, metric_, coarse_hints_,
+                    Mesher::possible_halvings(domain(), expected_triangles(metric_, sides_)));
+    refine(*mesher_, expected_points(metric_, sides_));
+    return mesher_->expected_triangles();
+  }
+  // Finishes it.
+  Mesh finish() {
+    with_limit(
+        *mesher_, expected_points(metric_, sides_),
+        [&](std::size_t limit, const auto& progress) { mesher_->halve_edges(limit, progress); });
+    return mesher_->finish();
   }
 
   // No deviation larger than the density says, and edges no longer, if it says so.
@@ -208,13 +219,21 @@ private:
 
   template <typename Any_mesher>
   void refine(Any_mesher& mesher, std::size_t expected) {
-    const std::size_t points = mesher.mesh().points.size();
-    report_progress(visitor_, Tessellation_stage::meshing, points, (std::max)(points, expected));
-    // Triangles between short and long segments of the boundary add to what is expected.
-    const std::size_t limit = 4 * expected + 20 * points + 1000;
-    mesher.refine(limit, [&](std::size_t done) {
+    with_limit(mesher, expected,
+               [&](std::size_t limit, const auto& progress) { mesher.refine(limit, progress); });
+  }
+
+  // Calls f(limit, progress) with a limit for the number of points that a mesher makes, and a
+  // function that reports how many there are.
+  template <typename Any_mesher, typename Function>
+  void with_limit(const Any_mesher& mesher, std::size_t expected, const Function& f) {
+    const auto progress = [&](std::size_t done) {
       report_progress(visitor_, Tessellation_stage::meshing, done, (std::max)(done, expected));
-    });
+    };
+    const std::size_t points = mesher.mesh().points.size();
+    progress(points);
+    // Triangles between short and long segments of the boundary add to what is expected.
+    f(4 * expected + 20 * points + 1000, progress);
   }
 
   // ------------------------------------------------------------------------------- deviations
@@ -378,6 +397,10 @@ private:
   Sampled_mesh coarse_;
   Surface_metric coarse_metric_;
   std::vector<std::size_t> coarse_hints_;
+  // The mesh that was begun last.
+  Side_parameters sides_;
+  Surface_metric metric_;
+  std::optional<Mesher> mesher_;
 };
 
 } // namespace internal

@@ -1,0 +1,59 @@
+// Copyright (c) 2026 The CGAL Multisided Patches project.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_MULTISIDED_PATCHES_MESHING_INTERNAL_METRIC_AT_POINTS_H
+#define CGAL_MULTISIDED_PATCHES_MESHING_INTERNAL_METRIC_AT_POINTS_H
+
+#include <CGAL/Multisided_patches/meshing/internal/Metric_2.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Multisided_patches {
+namespace internal {
+
+// What a metric is at the points of a mesh.
+//
+// Field is a function that gives the metric at a point; Metric_2 operator()(Uv, std::size_t& hint)
+// gets as a hint what it left behind at a point close by.
+template <typename Field>
+class Metric_at_points {
+public:
+  explicit Metric_at_points(const Field& field) : field_(field) {}
+
+  std::size_t size() const { return metrics_.size(); }
+  const Metric_2& operator[](std::size_t k) const { return metrics_[k]; }
+  std::size_t hint(std::size_t k) const { return hints_[k]; }
+
+  void add(const Uv& p, std::size_t hint) {
+    metrics_.push_back(scale_ * field_(p, hint));
+    hints_.push_back(hint);
+  }
+  // Keeps the first n.
+  void shrink(std::size_t n) {
+    metrics_.resize(n);
+    hints_.resize(n);
+  }
+
+  // Multiplies all lengths, also those at points that are added later.
+  void scale_lengths(double factor) {
+    scale_ *= factor * factor;
+    for (Metric_2& m : metrics_)
+      m = factor * factor * m;
+  }
+
+private:
+  const Field& field_;
+  double scale_ = 1; // of squared lengths
+  std::vector<Metric_2> metrics_;
+  std::vector<std::size_t> hints_; // where the field was last asked
+};
+
+} // namespace internal
+} // namespace Multisided_patches
+} // namespace CGAL
+
+#endif // CGAL_MULTISIDED_PATCHES_MESHING_INTERNAL_METRIC_AT_POINTS_H
