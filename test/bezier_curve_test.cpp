@@ -4,49 +4,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "catch.h"
+#include "curve_fixtures.h"
 
 #include <CGAL/Multisided_patches/internal/bernstein.h>
 #include <CGAL/Multisided_patches/ribbons/Bezier_curve_3.h>
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Gmpq.h>
-#include <CGAL/Simple_cartesian.h>
 
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <random>
 #include <vector>
+
+using namespace curve_fixtures;
 
 namespace {
 
-namespace MP = CGAL::Multisided_patches;
-using Rational = CGAL::Gmpq;
-using Kernel = CGAL::Simple_cartesian<Rational>;
-using Point_3 = Kernel::Point_3;
-using Vector_3 = Kernel::Vector_3;
 using Curve = MP::Bezier_curve_3<Kernel>;
-using Double_kernel = CGAL::Simple_cartesian<double>;
 using Double_curve = MP::Bezier_curve_3<Double_kernel>;
-using Double_point = Double_kernel::Point_3;
 
 constexpr unsigned seed = 20261125;
 
-class Random {
-public:
-  Rational number() { return Rational(integer(-99, 99)) / Rational(integer(1, 9)); }
-  Point_3 point() { return Point_3(number(), number(), number()); }
-  Curve curve(std::size_t degree) {
-    std::vector<Point_3> points;
-    for (std::size_t j = 0; j <= degree; ++j)
-      points.push_back(point());
-    return Curve(points);
-  }
-  int integer(int low, int high) { return std::uniform_int_distribution<int>(low, high)(engine_); }
-
-private:
-  std::mt19937 engine_{seed};
-};
+Curve random_curve(Random& random, std::size_t degree) {
+  return Curve(random.points(degree + 1));
+}
 
 // More parameters than a polynomial of degree 9 can have zeros: two polynomials that agree on all
 // of them are the same.
@@ -103,9 +84,9 @@ Rational squared_distance(const Curve& a, const Curve& b) {
 
 TEST_CASE("The points of a Bezier curve are Bernstein sums of its control points") {
   CAPTURE(seed);
-  Random random;
+  Random random(seed);
   for (std::size_t degree = 1; degree <= 9; ++degree) {
-    const Curve c = random.curve(degree);
+    const Curve c = random_curve(random, degree);
     for (const Rational& s : parameters()) {
       std::vector<Rational> b(degree + 1);
       MP::internal::bernstein_polynomials(degree, s, b.data());
@@ -120,9 +101,9 @@ TEST_CASE("The points of a Bezier curve are Bernstein sums of its control points
 
 TEST_CASE("The derivatives of a Bezier curve are those of its polynomial, of all orders") {
   CAPTURE(seed);
-  Random random;
+  Random random(seed);
   for (std::size_t degree = 1; degree <= 6; ++degree) {
-    const Curve c = random.curve(degree);
+    const Curve c = random_curve(random, degree);
     std::vector<Vector_3> coefficients = power_coefficients(c);
     for (const Rational& s : parameters())
       CHECK(c.point(s) == CGAL::ORIGIN + value(coefficients, s));
@@ -136,9 +117,9 @@ TEST_CASE("The derivatives of a Bezier curve are those of its polynomial, of all
 
 TEST_CASE("The pieces of a Bezier curve are the curve") {
   CAPTURE(seed);
-  Random random;
+  Random random(seed);
   for (std::size_t degree = 1; degree <= 9; ++degree) {
-    const Curve c = random.curve(degree);
+    const Curve c = random_curve(random, degree);
     for (const Rational& m : {Rational(0), Rational(2) / 7, Rational(1)}) {
       const auto [left, right] = c.subdivided(m);
       CHECK(left.degree() == degree);
@@ -161,9 +142,9 @@ TEST_CASE("The pieces of a Bezier curve are the curve") {
 
 TEST_CASE("A Bezier curve of a higher degree is the same curve, and is reduced to it again") {
   CAPTURE(seed);
-  Random random;
+  Random random(seed);
   for (std::size_t degree = 1; degree <= 8; ++degree) {
-    const Curve c = random.curve(degree), higher = c.elevated();
+    const Curve c = random_curve(random, degree), higher = c.elevated();
     CHECK(higher.degree() == degree + 1);
     for (const Rational& s : parameters())
       CHECK(higher.point(s) == c.point(s));
@@ -183,9 +164,9 @@ TEST_CASE("A Bezier curve is elevated and reduced in numbers that are computed l
 
 TEST_CASE("No other curve of the lower degree has an elevation closer to a Bezier curve") {
   CAPTURE(seed);
-  Random random;
+  Random random(seed);
   for (std::size_t degree = 2; degree <= 9; ++degree) {
-    const Curve c = random.curve(degree), reduced = c.reduced();
+    const Curve c = random_curve(random, degree), reduced = c.reduced();
     CHECK(reduced.degree() == degree - 1);
     CHECK(reduced.control_point(0) == c.control_point(0));
     CHECK(reduced.control_point(degree - 1) == c.control_point(degree));
@@ -226,6 +207,42 @@ TEST_CASE("A Bezier curve in double starts and ends exactly at its end points, a
   CHECK(left.control_point(0) == c.control_point(0));
   CHECK(left.control_point(3) == right.control_point(0));
   CHECK(right.control_point(3) == c.control_point(3));
+}
+
+TEST_CASE("Where control points of a Bezier curve in double coincide, its pieces stay") {
+  CAPTURE(seed);
+  Random random(seed);
+  const auto number = [&] { return CGAL::to_double(random.number()); };
+  for (std::size_t degree = 1; degree <= 9; ++degree) {
+    const Double_point p(number(), number(), number());
+    const std::vector<Double_point> points(degree + 1, p);
+    const Double_curve c(points);
+    for (const double s : {0., 0.1, 0.3, 0.5, 0.7, 1.}) {
+      CHECK(c.point(s) == p);
+      CHECK(c.subdivided(s).first.control_points() == points);
+      CHECK(c.subdivided(s).second.control_points() == points);
+    }
+  }
+}
+
+TEST_CASE("The pieces of a Bezier curve in double are the curve but for rounding") {
+  CAPTURE(seed);
+  Random random(seed);
+  for (std::size_t degree = 1; degree <= 9; ++degree) {
+    const Curve exact = random_curve(random, degree);
+    std::vector<Double_point> points;
+    std::vector<Point_3> rounded;
+    for (const Point_3& p : exact.control_points()) {
+      points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+      rounded.emplace_back(points.back().x(), points.back().y(), points.back().z());
+    }
+    const Double_curve piece = Double_curve(points).restricted(0.3, 0.8);
+    const Curve expected = Curve(rounded).restricted(0.3, 0.8);
+    for (std::size_t j = 0; j <= degree; ++j)
+      for (int c = 0; c < 3; ++c)
+        CHECK(piece.control_point(j)[c] ==
+              Approx(CGAL::to_double(expected.control_point(j)[c])).epsilon(0).margin(2e-13));
+  }
 }
 
 TEST_CASE("The length of a Bezier curve is that of its pieces together") {

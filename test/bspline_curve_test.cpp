@@ -4,47 +4,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "catch.h"
+#include "curve_fixtures.h"
 
 #include <CGAL/Multisided_patches/ribbons/Bspline_curve_3.h>
 
-#include <CGAL/Gmpq.h>
-#include <CGAL/Simple_cartesian.h>
-
 #include <cstddef>
+#include <initializer_list>
 #include <limits>
 #include <random>
 #include <vector>
 
+using namespace curve_fixtures;
+
 namespace {
 
-namespace MP = CGAL::Multisided_patches;
-using Rational = CGAL::Gmpq;
-using Kernel = CGAL::Simple_cartesian<Rational>;
-using Point_3 = Kernel::Point_3;
-using Vector_3 = Kernel::Vector_3;
 using Curve = MP::Bspline_curve_3<Kernel>;
-using Double_kernel = CGAL::Simple_cartesian<double>;
 using Double_curve = MP::Bspline_curve_3<Double_kernel>;
 
 constexpr unsigned seed = 20261126;
-
-class Random {
-public:
-  int integer(int low, int high) { return std::uniform_int_distribution<int>(low, high)(engine_); }
-  Rational number() { return Rational(integer(-99, 99)) / Rational(integer(1, 9)); }
-  std::vector<Point_3> points(std::size_t n) {
-    std::vector<Point_3> points;
-    for (std::size_t i = 0; i < n; ++i)
-      points.emplace_back(number(), number(), number());
-    return points;
-  }
-  Curve curve(std::size_t degree, const std::vector<Rational>& knots) {
-    return Curve(degree, knots, points(knots.size() - degree - 1));
-  }
-
-private:
-  std::mt19937 engine_{seed};
-};
 
 std::vector<Rational> rationals(std::initializer_list<int> numbers) {
   return std::vector<Rational>(numbers.begin(), numbers.end());
@@ -66,6 +43,10 @@ std::vector<Example> examples() {
           {3, rationals({-3, -1, 0, 1, 2, 2, 5, 6, 7, 8})},
           {3, rationals({-2, 0, 0, 0, 3, 4, 4, 4, 5, 5})},
           {5, rationals({0, 0, 0, 0, 0, 0, 2, 3, 3, 3, 3, 3, 4, 4, 4, 4, 4, 4})}};
+}
+
+Curve random_curve(Random& random, const Example& e) {
+  return Curve(e.degree, e.knots, random.points(e.knots.size() - e.degree - 1));
 }
 
 // The B-spline N_i of degree p by its recursion over half-open intervals, and 0/0 = 0 (de Boor).
@@ -97,9 +78,9 @@ std::vector<Rational> parameters(const Curve& c) {
 
 TEST_CASE("The points of a B-spline curve are sums of B-splines times control points") {
   CAPTURE(seed);
-  Random random;
+  Random random(seed);
   for (const Example& e : examples()) {
-    const Curve c = random.curve(e.degree, e.knots);
+    const Curve c = random_curve(random, e);
     for (const Rational& t : parameters(c)) {
       Vector_3 sum(0, 0, 0);
       Rational weights(0);
@@ -116,10 +97,10 @@ TEST_CASE("The points of a B-spline curve are sums of B-splines times control po
 
 TEST_CASE("A clamped B-spline curve runs from its first to its last control point") {
   CAPTURE(seed);
-  Random random;
+  Random random(seed);
   std::size_t clamped = 0;
   for (const Example& e : examples()) {
-    const Curve c = random.curve(e.degree, e.knots);
+    const Curve c = random_curve(random, e);
     const auto [begin, end] = c.parameter_range();
     CHECK(begin == e.knots[e.degree]);
     CHECK(end == e.knots[e.knots.size() - e.degree - 1]);
@@ -136,9 +117,9 @@ TEST_CASE("A clamped B-spline curve runs from its first to its last control poin
 
 TEST_CASE("A new knot leaves a B-spline curve what it is") {
   CAPTURE(seed);
-  Random random;
+  Random random(seed);
   for (const Example& e : examples()) {
-    const Curve c = random.curve(e.degree, e.knots);
+    const Curve c = random_curve(random, e);
     std::vector<Rational> at = parameters(c);
     at.push_back(c.parameter_range().second);
     for (const Rational& t : at) {
@@ -156,9 +137,9 @@ TEST_CASE("A new knot leaves a B-spline curve what it is") {
 
 TEST_CASE("The Bezier pieces of a B-spline curve are the curve, and have its derivatives") {
   CAPTURE(seed);
-  Random random;
+  Random random(seed);
   for (const Example& e : examples()) {
-    const Curve c = random.curve(e.degree, e.knots);
+    const Curve c = random_curve(random, e);
     const auto pieces = c.bezier_pieces();
     CHECK(pieces.front().begin == c.parameter_range().first);
     CHECK(pieces.back().end == c.parameter_range().second);
@@ -188,10 +169,10 @@ TEST_CASE("The Bezier pieces of a B-spline curve are the curve, and have its der
 
 TEST_CASE("At a knot of multiplicity m the derivatives of order p - m are continuous, no more") {
   CAPTURE(seed);
-  Random random;
+  Random random(seed);
   std::size_t checked = 0;
   for (const Example& e : examples()) {
-    const Curve c = random.curve(e.degree, e.knots);
+    const Curve c = random_curve(random, e);
     const auto pieces = c.bezier_pieces();
     for (std::size_t k = 0; k + 1 < pieces.size(); ++k) {
       const auto &before = pieces[k], &after = pieces[k + 1];
@@ -213,7 +194,7 @@ TEST_CASE("At a knot of multiplicity m the derivatives of order p - m are contin
 
 TEST_CASE("In double the pieces of a B-spline curve join bit for bit") {
   std::vector<double> knots{0, 0, 0, 0};
-  std::vector<Double_kernel::Point_3> points;
+  std::vector<Double_point> points;
   std::mt19937 engine(seed);
   std::uniform_real_distribution<double> random(0.1, 1);
   for (int i = 0; i < 50; ++i)
@@ -245,8 +226,7 @@ TEST_CASE("A B-spline curve refuses sizes that do not fit and knots that make no
   CHECK_THROWS_WITH(make(2, {0, 0, 0, 1, 1}, 2), Contains("at least 3 control points, not 2"));
   CHECK_THROWS_WITH(make(2, {0, 0, 1, 1, 1}, 3), Contains("needs 6 knots, not 5"));
   CHECK_THROWS_WITH(make(2, {0, 0, 0, 1, 2, 1}, 3), Contains("knot 5 is 1, after 2"));
-  using Double_curve = MP::Bspline_curve_3<CGAL::Simple_cartesian<double>>;
-  const std::vector<CGAL::Simple_cartesian<double>::Point_3> two(2, {0, 0, 0});
+  const std::vector<Double_point> two(2, {0, 0, 0});
   CHECK_THROWS_WITH(Double_curve(1, {-1e308, -1e308, 1e308, 1e308}, two),
                     Contains("too far apart"));
   CHECK_THROWS_WITH(Double_curve(1, {0, 0, 1e-320, 1}, two), Contains("knots 1 and 2"));
@@ -257,7 +237,7 @@ TEST_CASE("A B-spline curve refuses sizes that do not fit and knots that make no
                              "most 2"));
   CHECK_THROWS_WITH(make(1, {0, 0, 0, 1, 1}, 3), Contains("repeated 3 times, not at most 2"));
 
-  using P = Double_kernel::Point_3;
+  using P = Double_point;
   const double nan = std::numeric_limits<double>::quiet_NaN();
   CHECK_THROWS_WITH(Double_curve(1, {0, 0, nan, 1}, {P(0, 0, 0), P(1, 0, 0)}),
                     Contains("knot 2 of a B-spline curve is not finite"));

@@ -356,49 +356,6 @@ TEST_CASE("What a side lacks for the order that its layers promise is said in wo
         "it takes degree 7 on sides 1 and 3 and 4 layers on sides 0, 4, 5, 6, 7 and 4 more");
 }
 
-TEST_CASE("An elevated ribbon is the same surface") {
-  const unsigned seed = 20260212;
-  CAPTURE(seed);
-  Random random(seed);
-  const auto row = [](const Ribbon& r, std::size_t k) {
-    const auto first =
-        r.control_points().begin() + static_cast<std::ptrdiff_t>(k * (r.degree() + 1));
-    return Ribbon(r.degree(), 1, {first, first + static_cast<std::ptrdiff_t>(r.degree() + 1)});
-  };
-  for (std::size_t degree = 1; degree <= 7; ++degree)
-    for (std::size_t layers = 1; layers <= 4; ++layers) {
-      const Ribbon ribbon = random_loop(random, uniform_structure(3, degree, layers))[0];
-      const Ribbon elevated = ribbon.elevated(degree + random.integer(1, 4));
-      REQUIRE(elevated.degree() > degree);
-      REQUIRE(elevated.layers() == layers);
-      for (const FT& s :
-           std::vector<FT>{FT(0), FT(2) / FT(7), FT(3) / FT(5), FT(1), FT(9) / FT(4)}) {
-        for (std::size_t k = 0; k < layers; ++k)
-          CHECK(row(elevated, k).boundary_point(s) == row(ribbon, k).boundary_point(s));
-        CHECK(elevated.boundary_derivative(s) == ribbon.boundary_derivative(s));
-        if (layers >= 2)
-          CHECK(elevated.cross_derivative(s) == ribbon.cross_derivative(s));
-      }
-      CHECK(elevated.arc_length() == Approx(ribbon.arc_length()).epsilon(1e-12));
-      CHECK(ribbon.elevated(degree).control_points() == ribbon.control_points());
-    }
-}
-
-TEST_CASE("In floating point arithmetic, too, a ribbon and its reverse are elevated alike") {
-  Random random(20260213);
-  for (int k = 0; k < 50; ++k) {
-    const auto loop = fixtures::random_loop(random, 5, 0.3);
-    for (const auto& ribbon : loop.ribbons()) {
-      const std::size_t degree = ribbon.degree() + 3;
-      const auto elevated = ribbon.elevated(degree);
-      CHECK(elevated.control_points() ==
-            ribbon.reversed().elevated(degree).reversed().control_points());
-      CHECK(elevated.control_point(0, 0) == ribbon.control_point(0, 0));
-      CHECK(elevated.control_point(degree, 0) == ribbon.control_point(ribbon.degree(), 0));
-    }
-  }
-}
-
 TEST_CASE("A loop elevated for contact keeps the promises of its layers, and no degree is wasted") {
   const unsigned seed = 20260214;
   CAPTURE(seed);

@@ -3,103 +3,28 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Curves, ribbons and nets with other degrees. What should stay stays exactly: there is no
-// tolerance but for the central control point of a patch in floating-point arithmetic.
+// Nets with other degrees, and from ribbons. What should stay stays exactly: there is no tolerance.
 
 #include "catch.h"
-#include "fixtures.h"
+#include "exact_fixtures.h"
 
 #include <CGAL/Multisided_patches/bases/Generalized_bezier_basis.h>
-#include <CGAL/Multisided_patches/coordinates/Mean_value_coordinates_2.h>
-#include <CGAL/Multisided_patches/coordinates/Wachspress_coordinates_2.h>
-#include <CGAL/Multisided_patches/patches/Concave_bezier_patch_3.h>
-#include <CGAL/Multisided_patches/patches/Generalized_bezier_patch_3.h>
-#include <CGAL/Multisided_patches/patches/central_control_point.h>
 #include <CGAL/Multisided_patches/ribbons/elevate_net.h>
 #include <CGAL/Multisided_patches/ribbons/make_generalized_bezier_net.h>
 
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
 
-namespace MP = CGAL::Multisided_patches;
-using fixtures::Random;
+using namespace exact_fixtures;
 
 namespace {
 
-using FT = CGAL::Exact_rational;
-using Exact = CGAL::Simple_cartesian<FT>;
-using Point = Exact::Point_3;
-using Vector = Exact::Vector_3;
-using Ribbon = MP::Bezier_ribbon_3<Exact>;
-using Loop = MP::Ribbon_loop_3<Exact>;
 using Net = MP::Generalized_bezier_net_3<Exact>;
-using Grid = std::vector<std::vector<Point>>;
-
-Point random_point(Random& random) {
-  const auto coordinate = [&] { return FT(static_cast<int>(random.integer(0, 2000)) - 1000); };
-  const FT x = coordinate(), y = coordinate(), z = coordinate();
-  return Point(x, y, z);
-}
-
-std::vector<Point> random_points(Random& random, std::size_t count) {
-  std::vector<Point> points;
-  for (std::size_t i = 0; i < count; ++i)
-    points.push_back(random_point(random));
-  return points;
-}
-
-Ribbon random_ribbon(Random& random, std::size_t degree, std::size_t layers) {
-  return Ribbon(degree, layers, random_points(random, (degree + 1) * layers));
-}
 
 Net random_net(Random& random, std::size_t n, std::size_t degree) {
   return Net(n, degree, random_points(random, Net::number_of_control_points(n, degree)));
-}
-
-int to_int(std::size_t i) {
-  return static_cast<int>(i);
-}
-
-// The derivative of order `order` across the side at h = 0, of the surface whose first rows a
-// ribbon is: of degree d by 2l - 1.
-Vector cross_derivative(const Ribbon& r, const FT& s, std::size_t order) {
-  std::vector<FT> b(r.degree() + 1);
-  MP::internal::bernstein_polynomials(r.degree(), s, b.data());
-  Vector difference(0, 0, 0);
-  FT binomial(1), factor(1);
-  for (std::size_t k = 0; k <= order; ++k) {
-    Vector row(0, 0, 0);
-    for (std::size_t j = 0; j <= r.degree(); ++j)
-      row = row + b[j] * (r.control_point(j, order - k) - CGAL::ORIGIN);
-    difference = difference + (k % 2 == 0 ? binomial : FT(-binomial)) * row;
-    binomial = binomial * FT(to_int(order - k)) / FT(to_int(k + 1));
-    if (k < order)
-      factor *= FT(to_int(r.cross_degree() - k));
-  }
-  return factor * difference;
-}
-
-// Parameters at which two polynomials of degree at most `degree` are equal only if they are the
-// same.
-std::vector<FT> parameters(std::size_t degree) {
-  std::vector<FT> s;
-  for (std::size_t i = 0; i <= degree; ++i)
-    s.push_back(FT(to_int(i)) / FT(to_int(degree + 1)));
-  return s;
-}
-
-bool same_derivatives(const Ribbon& a, const Ribbon& b, std::size_t order) {
-  for (const FT& s : parameters((std::max)(a.degree(), b.degree())))
-    if (cross_derivative(a, s, order) != cross_derivative(b, s, order))
-      return false;
-  return true;
 }
 
 // The control point of a tensor product patch that is C^i_{j,k} of its net.
@@ -164,79 +89,6 @@ bool same_but_for_idle_central_point(const Net& a, const Net& b) {
 }
 
 } // namespace
-
-TEST_CASE("More layers keep all derivatives across a side and continue them by zeros") {
-  Random random(1);
-  for (std::size_t layers = 1; layers <= 3; ++layers)
-    for (std::size_t more = layers; more <= 5; ++more) {
-      CAPTURE(layers, more);
-      const Ribbon r = random_ribbon(random, 4, layers), deeper = r.with_layers(more);
-      REQUIRE(deeper.layers() == more);
-      for (std::size_t order = 0; order < layers; ++order)
-        CHECK(same_derivatives(r, deeper, order));
-      for (std::size_t order = layers; order < more; ++order)
-        for (const FT& s : parameters(4))
-          CHECK(cross_derivative(deeper, s, order) == Vector(0, 0, 0));
-      CHECK(deeper.with_layers(layers).control_points() == r.control_points());
-    }
-}
-
-TEST_CASE("Fewer layers keep the derivatives that they can tell") {
-  Random random(2);
-  const Ribbon r = random_ribbon(random, 3, 4);
-  for (std::size_t layers = 1; layers <= 4; ++layers)
-    for (std::size_t order = 0; order < layers; ++order)
-      CHECK(same_derivatives(r, r.with_layers(layers), order));
-  CHECK_THROWS_AS(r.with_layers(501), MP::Input_error);
-}
-
-TEST_CASE("A ribbon with more layers and a higher degree is the same whichever comes first") {
-  Random random(3);
-  const Ribbon r = random_ribbon(random, 3, 2);
-  CHECK(r.with_layers(4).elevated(6).control_points() ==
-        r.elevated(6).with_layers(4).control_points());
-}
-
-TEST_CASE("Reducing the degree of a ribbon inverts elevation") {
-  Random random(4);
-  for (std::size_t degree = 1; degree <= 5; ++degree)
-    for (std::size_t higher = degree; higher <= 9; ++higher) {
-      const Ribbon r = random_ribbon(random, degree, 2);
-      CHECK(r.elevated(higher).reduced(degree).control_points() == r.control_points());
-    }
-}
-
-TEST_CASE("Reducing the degree of any ribbon keeps the ends of its rows and half the derivatives") {
-  Random random(5);
-  for (std::size_t d = 2; d <= 9; ++d) {
-    const Ribbon r = random_ribbon(random, d, 2), reduced = r.reduced(d - 1);
-    CAPTURE(d);
-    // The reduced ribbon, raised to the degree that it had, has the same points near the ends.
-    const Ribbon back = reduced.elevated(d);
-    for (std::size_t k = 0; k < 2; ++k)
-      for (std::size_t j = 0; j < d / 2; ++j) {
-        CHECK(back.control_point(j, k) == r.control_point(j, k));
-        CHECK(back.control_point(d - j, k) == r.control_point(d - j, k));
-      }
-    CHECK(back.control_points() != r.control_points());
-  }
-}
-
-TEST_CASE("A ribbon run the other way reduces and deepens to the same rounded points") {
-  const unsigned seed = GENERATE(range(10u, 20u));
-  CAPTURE(seed);
-  Random random(seed);
-  const std::size_t degree = random.integer(2, 8);
-  std::vector<fixtures::Point_3> points;
-  for (std::size_t i = 0; i < 2 * (degree + 1); ++i)
-    points.emplace_back(random.in(-1, 1), random.in(-1, 1), random.in(-1, 1));
-  const fixtures::Ribbon r(degree, 2, points);
-  const std::size_t lower = random.integer(1, degree);
-  CHECK(r.reversed().reduced(lower).control_points() ==
-        r.reduced(lower).reversed().control_points());
-  CHECK(r.reversed().with_layers(4).control_points() ==
-        r.with_layers(4).reversed().control_points());
-}
 
 TEST_CASE("An elevated net has the same boundary curves and derivatives across its sides") {
   Random random(6);
@@ -412,65 +264,4 @@ TEST_CASE("Two layers or a high degree raise the degree of the net of a loop") {
   CHECK(MP::smallest_net_degree(Loop(ribbons)) == 3);
   ribbons[1] = ribbons[1].elevated(4);
   CHECK(MP::make_generalized_bezier_net(Loop(ribbons)).degree() == 4);
-}
-
-TEST_CASE("A central control point is found with which a patch goes through a point") {
-  using namespace fixtures;
-  using MP::Central_weight;
-  const auto weight = GENERATE(Central_weight::weight_deficiency, Central_weight::adjacent_products,
-                               Central_weight::full_product);
-  const auto check = [&](auto coordinates, const std::vector<Point_2>& polygon, const Point_2& uv) {
-    using Patch = MP::Concave_bezier_patch_3<Kernel, decltype(coordinates)>;
-    MP::Concave_bezier_model_3<Kernel> model(
-        lifted_loop(polygon, [](double x, double y) { return 0.3 * x * x - 0.2 * x * y; }));
-    model.central_weight = weight;
-    const Patch patch(model, coordinates);
-    const Point_3 target = patch(uv) + Vector_3(0.1, -0.2, 0.5);
-    REQUIRE(std::abs(MP::central_weight_at(patch, uv)) > 1e-4);
-    model.central_point = MP::central_point_for(patch, model, uv, target);
-    const Patch moved(model, coordinates);
-    CHECK(std::sqrt(CGAL::squared_distance(moved(uv), target)) < 1e-12);
-    // Once more, from the central control point that the model has now.
-    model.central_point = MP::central_point_for(moved, model, uv, target + Vector_3(0, 0, 1));
-    CHECK(std::sqrt(CGAL::squared_distance(Patch(model, coordinates)(uv),
-                                           target + Vector_3(0, 0, 1))) < 1e-12);
-  };
-  Random random(15);
-  const std::vector<Point_2> pentagon = convex_polygon(random, 5);
-  check(MP::Wachspress_coordinates_2<Kernel>(Domain(pentagon)), pentagon, Point_2(0.1, 0.05));
-  check(MP::Mean_value_coordinates_2<Kernel>(Domain(l_shape())), l_shape(), Point_2(0.6, 0.5));
-}
-
-TEST_CASE("The central point of a net is found with which its patch goes through a point") {
-  using namespace fixtures;
-  Random random(18);
-  std::vector<Point_3> points;
-  for (std::size_t i = 0; i < 46; ++i)
-    points.emplace_back(random.in(-1, 1), random.in(-1, 1), random.in(-1, 1));
-  const MP::Generalized_bezier_net_3<Kernel> net(5, 5, points);
-  const Point_3 target(0.3, 0.2, 0.1);
-  const MP::Generalized_bezier_patch_3<Kernel> patch(net);
-  const CGAL::Bbox_2 box = patch.domain().bbox();
-  const Point_2 uv(0.4 * box.xmin() + 0.6 * box.xmax(), (box.ymin() + box.ymax()) / 2);
-  points.back() = MP::central_point_for(patch, net, uv, target);
-  const MP::Generalized_bezier_patch_3<Kernel> moved(net.with_control_points(points));
-  CHECK(std::sqrt(CGAL::squared_distance(moved(uv), target)) < 1e-12);
-}
-
-TEST_CASE("No central control point moves a patch where it has no weight") {
-  using namespace fixtures;
-  Random random(16);
-  const std::vector<Point_2> pentagon = convex_polygon(random, 5);
-  MP::Concave_bezier_model_3<Kernel> model(lifted_loop(pentagon, [](double, double) { return 0; }));
-  const MP::Wachspress_coordinates_2<Kernel> coordinates{Domain(pentagon)};
-  using Patch = MP::Concave_bezier_patch_3<Kernel, MP::Wachspress_coordinates_2<Kernel>>;
-  const Point_3 point(0, 0, 1);
-  CHECK_THROWS_AS(MP::central_point_for(Patch(model, coordinates), model, Point_2(0.1, 0), point),
-                  MP::Input_error);
-  model.central_weight = MP::Central_weight::full_product;
-  const Patch patch(model, coordinates);
-  CHECK_NOTHROW(MP::central_point_for(patch, model, Point_2(0.1, 0), point));
-  CHECK_THROWS_AS(MP::central_point_for(patch, model, pentagon[0], point), MP::Input_error);
-  CHECK_THROWS_AS(MP::central_point_for(patch, model, Point_2(9, 0), point),
-                  MP::Outside_domain_error);
 }

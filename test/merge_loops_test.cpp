@@ -4,40 +4,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "catch.h"
-#include "fixtures.h"
+#include "merge_fixtures.h"
 
-#include <CGAL/Multisided_patches/ribbons/merge_loops.h>
-
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Kernel_traits.h>
-#include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <utility>
 #include <vector>
 
-namespace MP = CGAL::Multisided_patches;
-using fixtures::Random;
+using namespace merge_fixtures;
 using MP::Corner_type;
 
 namespace {
 
-using FT = CGAL::Exact_rational;
-using Exact = CGAL::Simple_cartesian<FT>;
-using Point = Exact::Point_3;
-using Vector = Exact::Vector_3;
-using Ribbon = MP::Bezier_ribbon_3<Exact>;
-using Loop = MP::Ribbon_loop_3<Exact>;
 using Merged = MP::Merged_loop_3<Exact>;
-using Grid = std::vector<std::vector<Point>>; // of a tensor product patch, [along u][along v]
-using Polygon = std::vector<std::pair<int, int>>;
-
-FT ratio(int numerator, int denominator) {
-  return FT(numerator) / FT(denominator);
-}
 
 // A bicubic patch over the square [x,x+3] × [0,3], with bumps.
 Grid bumpy_grid(Random& random, int x) {
@@ -73,38 +55,7 @@ std::pair<Grid, Grid> split(const Grid& grid, const FT& t) {
   return {left, right};
 }
 
-// A loop over a polygon with corners on a lattice, whose boundary lies on the surface z = x y: so
-// wherever two polygons share a part of a side, the loops share the curve.
-Loop loop_over(const Polygon& polygon) {
-  std::vector<Ribbon> ribbons;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const auto [x0, y0] = polygon[i];
-    const auto [x1, y1] = polygon[(i + 1) % polygon.size()];
-    std::vector<Point> points;
-    for (int k = 0; k < 2; ++k)
-      for (int j = 0; j < 4; ++j) {
-        // z as a cubic curve, by the polar form of x y.
-        const FT z = ratio((3 - j) * (2 - j) * x0 * y0 + (3 - j) * j * (x0 * y1 + x1 * y0) +
-                               j * (j - 1) * x1 * y1,
-                           6);
-        points.emplace_back(x0 + ratio(j * (x1 - x0), 3) - k * ratio(y1 - y0, 10),
-                            y0 + ratio(j * (y1 - y0), 3) + k * ratio(x1 - x0, 10), z);
-      }
-    ribbons.emplace_back(3, 2, points);
-  }
-  return Loop(ribbons);
-}
-
 const Polygon nine_corners{{0, 0}, {6, 0}, {5, 2}, {6, 4}, {6, 8}, {4, 9}, {2, 9}, {0, 8}, {-1, 4}};
-
-Point row_point(const Ribbon& r, std::size_t k, const FT& s) {
-  std::vector<FT> b(r.degree() + 1);
-  MP::internal::bernstein_polynomials(r.degree(), s, b.data());
-  Vector sum(0, 0, 0);
-  for (std::size_t j = 0; j <= r.degree(); ++j)
-    sum = sum + b[j] * (r.control_point(j, k) - CGAL::ORIGIN);
-  return CGAL::ORIGIN + sum;
-}
 
 // Whether a ribbon is, row by row, the part of another one from `begin` to `end`: polynomials that
 // are equal at more parameters than their degree.
@@ -411,75 +362,4 @@ TEST_CASE("No slivers are left at either end of a side") {
   const auto lower = loop_between<P>({P(2, 1e-10, 0), P(4, 0, 0)}, {P(2, 2, 0), P(4, 2, 0)});
   CHECK(MP::merge_loops(at_end.first, lower, options).loop.size() == 6);
   CHECK(MP::merge_loops(lower, at_end.first, options).loop.size() == 6);
-}
-
-TEST_CASE("A tolerance that is none is refused") {
-  const Loop a = loop_over({{0, 0}, {2, 0}, {2, 2}, {0, 2}}),
-             b = loop_over({{2, 2}, {2, 0}, {4, 0}, {4, 2}});
-  MP::Merge_options options;
-  for (const double good : {0.0, 1e-6, MP::Merge_options::max_relative_tolerance}) {
-    options.relative_tolerance = good;
-    CHECK(MP::merge_loops(a, b, options).loop.size() == 4);
-  }
-  for (const double bad : {-1e-9, 0.011, std::numeric_limits<double>::infinity(),
-                           std::numeric_limits<double>::quiet_NaN()}) {
-    options.relative_tolerance = bad;
-    CHECK_THROWS_WITH(MP::merge_loops(a, b, options),
-                      Catch::Matchers::Contains("not between 0 and 0.01"));
-  }
-}
-
-TEST_CASE("Loops that touch apart from the shared chain are refused") {
-  using Catch::Matchers::Contains;
-  const Loop square = loop_over({{0, 0}, {2, 0}, {2, 2}, {0, 2}});
-  const auto loop_with = [](int x, int y) {
-    return loop_over({{2, 2}, {2, 0}, {4, 0}, {4, 4}, {0, 4}, {x, y}, {2, 3}});
-  };
-  // A corner on the upper side of the square, at its end, and beside it.
-  CHECK_THROWS_WITH(MP::merge_loops(square, loop_with(1, 2)),
-                    Contains("start of side 5 of the second is inside side 2 of the first"));
-  CHECK_THROWS_WITH(MP::merge_loops(loop_with(1, 2), square),
-                    Contains("start of side 5 of the first is inside side 2 of the second"));
-  CHECK_THROWS_WITH(MP::merge_loops(square, loop_with(0, 2)),
-                    Contains("start of side 3 of the first is that of side 5 of the second"));
-  CHECK(MP::merge_loops(square, loop_with(1, 3)).loop.size() == 8);
-  CHECK(MP::merge_loops(loop_with(1, 3), square).loop.size() == 8);
-}
-
-TEST_CASE("Loops that share nothing, or in the same direction, are refused") {
-  using Catch::Matchers::Contains;
-  const Loop a = loop_over({{0, 0}, {2, 0}, {2, 2}, {0, 2}});
-  CHECK_THROWS_WITH(MP::merge_loops(a, loop_over({{5, 0}, {7, 0}, {7, 2}, {5, 2}})),
-                    Contains("no part") && !Contains("direction"));
-  // They touch at a corner only, or cross.
-  CHECK_THROWS_AS(MP::merge_loops(a, loop_over({{2, 2}, {4, 2}, {4, 4}, {2, 4}})), MP::Input_error);
-  CHECK_THROWS_AS(MP::merge_loops(a, loop_over({{1, 1}, {5, 1}, {5, 3}, {1, 3}})), MP::Input_error);
-  CHECK_THROWS_WITH(MP::merge_loops(a, loop_over({{2, 0}, {2, 2}, {4, 2}, {4, 0}})),
-                    Contains("side 1 of the first and side 0 of the second") &&
-                        Contains("wrong way"));
-}
-
-TEST_CASE("A side that two sides of the other loop claim is refused") {
-  CHECK_THROWS_WITH(MP::merge_loops(loop_over({{0, 0}, {2, 0}, {2, 2}, {0, 2}}),
-                                    loop_over({{2, 2}, {2, 0}, {5, 0}, {2, 2}, {2, 0}, {5, -1}})),
-                    Catch::Matchers::Contains("side 1 of the other"));
-}
-
-TEST_CASE("Loops around more than one hole, or around nothing, are refused") {
-  using Catch::Matchers::Contains;
-  const Loop u = loop_over({{0, 0}, {6, 0}, {6, 4}, {4, 4}, {4, 2}, {2, 2}, {2, 4}, {0, 4}});
-  CHECK_THROWS_WITH(MP::merge_loops(u, loop_over({{0, 4}, {2, 4}, {4, 4}, {6, 4}, {6, 6}, {0, 6}})),
-                    Contains("2 separate chains"));
-  // One side of the lid covers both ends, so that it is shared in two parts.
-  CHECK_THROWS_AS(MP::merge_loops(u, loop_over({{0, 4}, {6, 4}, {6, 6}, {0, 6}})), MP::Input_error);
-  // The second loop is the first one from the other side.
-  CHECK_THROWS_WITH(
-      MP::merge_loops(u,
-                      loop_over({{0, 4}, {2, 4}, {2, 2}, {4, 2}, {4, 4}, {6, 4}, {6, 0}, {0, 0}})),
-      Contains("nothing of it"));
-  // They share a curve, and meet at (0,2) as well.
-  CHECK_THROWS_WITH(
-      MP::merge_loops(loop_over({{0, 0}, {2, 0}, {2, 2}, {0, 2}}),
-                      loop_over({{2, 2}, {2, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 2}, {1, 3}})),
-      Contains("touch itself"));
 }

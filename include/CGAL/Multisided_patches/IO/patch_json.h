@@ -46,7 +46,7 @@ namespace IO {
  * \param in the stream
  * \param name what error messages call the stream
  *
- * \throws Input_error naming the line, or the place in the data as a JSON pointer, and what was
+ * \throws Input_error naming the line and column, or the place in the data as a JSON pointer, and what was
  * expected there
  */
 template <typename Traits>

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace CGAL {
 namespace Multisided_patches {
@@ -70,6 +71,19 @@ inline double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
   const Vec3 along = {d[0] / length, d[1] / length, d[2] / length};
   const double x = (std::min)((std::max)(dot(e, along), 0.0), length);
   return norm({e[0] - x * along[0], e[1] - x * along[1], e[2] - x * along[2]});
+}
+
+// The rounding error of the largest coordinate of a loop (model units): what far from the origin
+// the differences of its points are uncertain by, whatever their lengths.
+template <typename Loop>
+double coordinate_rounding(const Loop& loop) {
+  const auto& box = loop.bbox();
+  double largest = 0;
+  for (int c = 0; c < 3; ++c)
+    largest = (std::max)({largest, std::abs((box.min)(c)), std::abs((box.max)(c))});
+  // Points in exact arithmetic have mostly been rounded before.
+  const double epsilon = CGAL::to_double(std::numeric_limits<typename Loop::FT>::epsilon());
+  return (std::max)(epsilon, std::numeric_limits<double>::epsilon()) * largest;
 }
 
 } // namespace internal

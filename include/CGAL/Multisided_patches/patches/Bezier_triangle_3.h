@@ -10,7 +10,8 @@
 #include <CGAL/Multisided_patches/domains/make_regular_domain.h>
 #include <CGAL/Multisided_patches/errors.h>
 #include <CGAL/Multisided_patches/internal/bernstein.h>
-#include <CGAL/Multisided_patches/patches/internal/Patch_base.h>
+#include <CGAL/Multisided_patches/internal/check_finite.h>
+#include <CGAL/Multisided_patches/patches/internal/Polynomial_patch.h>
 #include <CGAL/Multisided_patches/ribbons/Bezier_curve_3.h>
 #include <CGAL/Multisided_patches/ribbons/internal/degree_change.h>
 
@@ -40,8 +41,8 @@ namespace Multisided_patches {
  * \tparam Traits a CGAL kernel with exact predicates
  */
 template <typename Traits>
-class Bezier_triangle_3 : public internal::Patch_base<Bezier_triangle_3<Traits>, Traits> {
-  using Base = internal::Patch_base<Bezier_triangle_3<Traits>, Traits>;
+class Bezier_triangle_3 : public internal::Polynomial_patch<Bezier_triangle_3<Traits>, Traits> {
+  using Base = internal::Polynomial_patch<Bezier_triangle_3<Traits>, Traits>;
 
 public:
   using typename Base::Domain;
@@ -67,11 +68,11 @@ public:
 
   //! the same over a domain of the caller's choice. \throws Input_error if that is no triangle, too
   Bezier_triangle_3(std::size_t degree, std::vector<Point_3> control_points, Domain domain)
-      : Base(make_loop(degree, control_points)), degree_(degree),
-        control_points_(std::move(control_points)), domain_(std::move(domain)) {
-    if (domain_.size() != 3)
+      : Base(make_loop(degree, control_points), std::move(control_points), std::move(domain)),
+        degree_(degree) {
+    if (this->domain().size() != 3)
       throw Input_error("the domain of a Bezier triangle needs 3 vertices, not " +
-                        std::to_string(domain_.size()));
+                        std::to_string(this->domain().size()));
   }
 
   //! the number of control points of a triangle of that degree
@@ -79,38 +80,23 @@ public:
     return (degree + 1) * (degree + 2) / 2;
   }
 
-  const Domain& domain() const { return domain_; }
   //! d
   std::size_t degree() const { return degree_; }
   //! b_{ijk}. \pre `i + j + k == degree()`
   const Point_3& control_point(std::size_t i, std::size_t j, std::size_t k) const {
     CGAL_precondition(i + j + k == degree_);
-    return control_points_[index(degree_, j, k)];
+    return this->control_points()[index(degree_, j, k)];
   }
-  //! all control points, in the order above
-  const std::vector<Point_3>& control_points() const { return control_points_; }
 
   using Base::evaluate;
 
   /*!
-   * the point and its partial derivatives up to `Order` (0, 1 or 2) with respect to u and v: entry
-   * `[c][k]` of the result is coordinate c (x, y, z), for k = 0 its value, and then its derivatives
-   * by u, v, uu, uv and vv; by the algorithm of de Casteljau.
-   *
-   * \pre `uv` lies at `location`, and that is not outside the domain
-   *
-   * Complexity: O(d³).
-   */
-  template <int Order>
-  Surface_jet<Order> evaluate(const Point_2& uv, const Location& location) const {
-    return evaluate<Order, FT>(uv.x(), uv.y(), location);
-  }
-
-  /*!
-   * the same computed in another number type, into which the coordinates of the domain and of the
-   * control points convert without loss.
+   * the point and its derivatives by the algorithm of de Casteljau, in another number type, into
+   * which the coordinates of the domain and of the control points convert without loss.
    *
    * \tparam Real a field number type
+   *
+   * Complexity: O(d³).
    */
   template <int Order, typename Real>
   Surface_jet<Order, Real> evaluate(const Real& u, const Real& v,
@@ -118,8 +104,8 @@ public:
     using Jet = Jet_2<Real, Order>;
     const std::array<Jet, 3> lambda = barycentric_coordinates<Order>(u, v, location);
     std::vector<Surface_jet<Order, Real>> b;
-    b.reserve(control_points_.size());
-    for (const Point_3& p : control_points_)
+    b.reserve(this->control_points().size());
+    for (const Point_3& p : this->control_points())
       b.push_back({Jet(Real(p.x())), Jet(Real(p.y())), Jet(Real(p.z()))});
     for (std::size_t n = degree_; n > 0; --n)
       de_casteljau_step(n, b, [&](const auto& at_0, const auto& at_1, const auto& at_2) {
@@ -142,13 +128,14 @@ public:
    * Complexity: O(d³).
    */
   std::array<Bezier_triangle_3, 3> subdivided(const Point_2& uv) const {
-    const Location location = domain_.locate_inside(uv);
+    const Domain& domain = this->domain();
+    const Location location = domain.locate_inside(uv);
     if (location.is_on_boundary())
       throw Input_error("a Bezier triangle is subdivided at a point inside its domain, not on a "
                         "side or at a vertex");
     const auto lambda = barycentric_coordinates<0>(uv.x(), uv.y(), location);
     std::array<std::vector<Point_3>, 3> parts;
-    std::vector<Point_3> b = control_points_;
+    std::vector<Point_3> b = this->control_points();
     // The steps of the algorithm leave the rows of the parts on their sides, one after the other.
     for (std::size_t n = degree_;; --n) {
       for (std::size_t side = 0; side < 3; ++side)
@@ -162,7 +149,7 @@ public:
     }
     const auto part = [&](std::size_t i) {
       return Bezier_triangle_3(degree_, std::move(parts[i]),
-                               Domain({domain_.vertex(i), domain_.vertex(domain_.next(i)), uv}));
+                               Domain({domain.vertex(i), domain.vertex(domain.next(i)), uv}));
     };
     return {{part(0), part(1), part(2)}};
   }
@@ -176,10 +163,10 @@ public:
    */
   Bezier_triangle_3 elevated_to(std::size_t degree) const {
     CGAL_precondition(degree >= degree_);
-    std::vector<Point_3> b = control_points_;
+    std::vector<Point_3> b = this->control_points();
     for (std::size_t n = degree_ + 1; n <= degree; ++n)
       b = elevated_by_one(n, b);
-    return Bezier_triangle_3(degree, std::move(b), domain_);
+    return Bezier_triangle_3(degree, std::move(b), this->domain());
   }
 
 private:
@@ -234,8 +221,8 @@ private:
     using Kind = typename Domain_location<Real>::Kind;
     std::array<Real, 3> x, y;
     for (std::size_t i = 0; i < 3; ++i) {
-      x[i] = Real(domain_.vertex(i).x());
-      y[i] = Real(domain_.vertex(i).y());
+      x[i] = Real(this->domain().vertex(i).x());
+      y[i] = Real(this->domain().vertex(i).y());
     }
     const Real twice_area = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
     std::array<Jet_2<Real, Order>, 3> lambda;
@@ -273,16 +260,10 @@ private:
       std::vector<std::vector<Point_3>> rows;
       for (std::size_t k = 0; k < layers; ++k)
         rows.push_back(elevated_row(degree, control_points, side, k));
-      std::vector<Point_3> points((degree + 1) * layers);
-      for (std::size_t j = 0; j <= degree; ++j) {
-        std::vector<Point_3> column;
-        for (std::size_t k = 0; k < layers; ++k)
-          column.push_back(rows[k][j]);
-        internal::change_prefix_degree(column, degree, 2 * layers - 1);
-        for (std::size_t k = 0; k < layers; ++k)
-          points[k * (degree + 1) + j] = column[k];
-      }
-      ribbons.emplace_back(degree, layers, std::move(points));
+      const auto point = [&](std::size_t j, std::size_t k) { return rows[k][j]; };
+      ribbons.emplace_back(
+          degree, layers,
+          internal::change_cross_degree(degree + 1, layers, point, degree, 2 * layers - 1));
     }
     return Loop(std::move(ribbons));
   }
@@ -311,8 +292,6 @@ private:
   }
 
   std::size_t degree_;
-  std::vector<Point_3> control_points_;
-  Domain domain_;
 };
 
 } // namespace Multisided_patches

@@ -10,11 +10,10 @@
 #include <CGAL/Multisided_patches/coordinates/Harmonic_coordinates_2.h>
 #include <CGAL/Multisided_patches/domains/make_domain.h>
 #include <CGAL/Multisided_patches/errors.h>
+#include <CGAL/Multisided_patches/internal/check_finite.h>
 #include <CGAL/Multisided_patches/internal/to_text.h>
 #include <CGAL/Multisided_patches/patches/Concave_bezier_model_3.h>
 #include <CGAL/Multisided_patches/patches/internal/Control_net_patch.h>
-
-#include <CGAL/number_utils.h>
 
 #include <cmath>
 #include <cstddef>
@@ -98,7 +97,7 @@ private:
     if (!(model.reflex_weight >= 1 / largest_weight && model.reflex_weight <= largest_weight))
       throw Input_error("the weight of reflex corners has to be from 0.001 to 1000, not " +
                         internal::to_short_text(model.reflex_weight));
-    if (model.central_point && !is_finite(*model.central_point))
+    if (model.central_point && !internal::has_finite_coordinates(*model.central_point))
       throw Input_error("the central control point is not finite");
     std::vector<bool> has_point(model.loop.size(), false);
     for (const auto& corner : model.corner_control_points) {
@@ -107,14 +106,10 @@ private:
         throw Input_error("there is an extra control point" + of_side + ", but no such side");
       if (has_point[corner.index])
         throw Input_error("there are two extra control points" + of_side);
-      if (!is_finite(corner.point))
+      if (!internal::has_finite_coordinates(corner.point))
         throw Input_error("the extra control point" + of_side + " is not finite");
       has_point[corner.index] = true;
     }
-  }
-
-  static bool is_finite(const Point_3& p) {
-    return CGAL::is_finite(p.x()) && CGAL::is_finite(p.y()) && CGAL::is_finite(p.z());
   }
 
   static std::vector<Point_3> control_points(const Model& model) {

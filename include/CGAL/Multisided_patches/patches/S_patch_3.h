@@ -13,7 +13,6 @@
 #include <CGAL/Multisided_patches/internal/to_text.h>
 #include <CGAL/Multisided_patches/internal/vector_utils.h>
 #include <CGAL/Multisided_patches/patches/internal/Control_net_patch.h>
-#include <CGAL/Multisided_patches/patches/internal/Cross_derivatives.h>
 #include <CGAL/Multisided_patches/ribbons/Ribbon_loop_3.h>
 #include <CGAL/Multisided_patches/ribbons/S_patch_net_3.h>
 

@@ -9,7 +9,8 @@
 #include <CGAL/Multisided_patches/domains/Domain_location.h>
 #include <CGAL/Multisided_patches/errors.h>
 #include <CGAL/Multisided_patches/internal/bernstein.h>
-#include <CGAL/Multisided_patches/patches/internal/Patch_base.h>
+#include <CGAL/Multisided_patches/internal/check_finite.h>
+#include <CGAL/Multisided_patches/patches/internal/Polynomial_patch.h>
 #include <CGAL/Multisided_patches/ribbons/Bezier_curve_3.h>
 #include <CGAL/Multisided_patches/ribbons/internal/degree_change.h>
 
@@ -39,8 +40,9 @@ namespace Multisided_patches {
  * \tparam Traits a CGAL kernel with exact predicates
  */
 template <typename Traits>
-class Tensor_product_patch_3 : public internal::Patch_base<Tensor_product_patch_3<Traits>, Traits> {
-  using Base = internal::Patch_base<Tensor_product_patch_3<Traits>, Traits>;
+class Tensor_product_patch_3
+    : public internal::Polynomial_patch<Tensor_product_patch_3<Traits>, Traits> {
+  using Base = internal::Polynomial_patch<Tensor_product_patch_3<Traits>, Traits>;
 
 public:
   using typename Base::Domain;
@@ -63,10 +65,10 @@ public:
    */
   Tensor_product_patch_3(std::size_t degree_u, std::size_t degree_v,
                          std::vector<Point_3> control_points)
-      : Base(make_loop(degree_u, degree_v, control_points)), degree_u_(degree_u),
-        degree_v_(degree_v), control_points_(std::move(control_points)),
-        domain_({Point_2(FT(0), FT(0)), Point_2(FT(1), FT(0)), Point_2(FT(1), FT(1)),
-                 Point_2(FT(0), FT(1))}) {}
+      : Base(make_loop(degree_u, degree_v, control_points), std::move(control_points),
+             Domain({Point_2(FT(0), FT(0)), Point_2(FT(1), FT(0)), Point_2(FT(1), FT(1)),
+                     Point_2(FT(0), FT(1))})),
+        degree_u_(degree_u), degree_v_(degree_v) {}
 
   /*!
    * the bilinear patch of four corner points.
@@ -81,7 +83,6 @@ public:
     return Tensor_product_patch_3(1, 1, {corner_0, corner_1, corner_3, corner_2});
   }
 
-  const Domain& domain() const { return domain_; }
   //! d, the degree in u
   std::size_t degree_u() const { return degree_u_; }
   //! e, the degree in v
@@ -89,32 +90,18 @@ public:
   //! b_{ij}
   const Point_3& control_point(std::size_t i, std::size_t j) const {
     CGAL_precondition(i <= degree_u_ && j <= degree_v_);
-    return control_points_[j * (degree_u_ + 1) + i];
+    return this->control_points()[j * (degree_u_ + 1) + i];
   }
-  //! all control points, in the order above
-  const std::vector<Point_3>& control_points() const { return control_points_; }
 
   using Base::evaluate;
 
   /*!
-   * the point and its partial derivatives up to `Order` (0, 1 or 2) with respect to u and v: entry
-   * `[c][k]` of the result is coordinate c (x, y, z), for k = 0 its value, and then its derivatives
-   * by u, v, uu, uv and vv.
-   *
-   * \pre `uv` lies at `location`, and that is not outside the domain
-   *
-   * Complexity: linear in the number of control points.
-   */
-  template <int Order>
-  Surface_jet<Order> evaluate(const Point_2& uv, const Location& location) const {
-    return evaluate<Order, FT>(uv.x(), uv.y(), location);
-  }
-
-  /*!
-   * the same computed in another number type, into which the coordinates of the control points
-   * convert without loss.
+   * the point and its derivatives by the sum above, in another number type, into which the
+   * coordinates of the control points convert without loss.
    *
    * \tparam Real a field number type
+   *
+   * Complexity: linear in the number of control points.
    */
   template <int Order, typename Real>
   Surface_jet<Order, Real> evaluate(const Real& u, const Real& v,
@@ -152,21 +139,20 @@ public:
     CGAL_precondition(degree_u >= degree_u_ && degree_v >= degree_v_);
     std::vector<Point_3> wide;
     wide.reserve((degree_u + 1) * (degree_v_ + 1));
-    for (auto row = control_points_.begin(); row != control_points_.end(); row += degree_u_ + 1) {
+    const std::vector<Point_3>& given = this->control_points();
+    for (auto row = given.begin(); row != given.end(); row += degree_u_ + 1) {
       const auto elevated =
           elevated_points(std::vector<Point_3>(row, row + degree_u_ + 1), degree_u);
       wide.insert(wide.end(), elevated.begin(), elevated.end());
     }
-    std::vector<Point_3> points((degree_u + 1) * (degree_v + 1));
-    for (std::size_t i = 0; i <= degree_u; ++i) {
-      std::vector<Point_3> column;
-      for (std::size_t j = 0; j <= degree_v_; ++j)
-        column.push_back(wide[j * (degree_u + 1) + i]);
-      column = elevated_points(std::move(column), degree_v);
-      for (std::size_t j = 0; j <= degree_v; ++j)
-        points[j * (degree_u + 1) + i] = column[j];
-    }
-    return Tensor_product_patch_3(degree_u, degree_v, std::move(points));
+    return Tensor_product_patch_3(
+        degree_u, degree_v,
+        internal::change_columns(
+            degree_u + 1, degree_v_ + 1,
+            [&](std::size_t i, std::size_t j) { return wide[j * (degree_u + 1) + i]; },
+            [&](std::vector<Point_3>& column) {
+              column = elevated_points(std::move(column), degree_v);
+            }));
   }
 
 private:
@@ -212,25 +198,20 @@ private:
       const std::size_t along = side % 2 == 0 ? degree_u : degree_v;
       const std::size_t across = side % 2 == 0 ? degree_v : degree_u;
       const std::size_t layers = (across + 1) / 2;
-      std::vector<Point_3> points((along + 1) * layers);
-      for (std::size_t j = 0; j <= along; ++j) {
-        std::vector<Point_3> column;
-        for (std::size_t k = 0; k < layers; ++k) {
-          const std::size_t from_left = side == 0   ? j
-                                        : side == 1 ? degree_u - k
-                                        : side == 2 ? degree_u - j
-                                                    : k;
-          const std::size_t from_below = side == 0   ? k
-                                         : side == 1 ? j
-                                         : side == 2 ? degree_v - k
-                                                     : degree_v - j;
-          column.push_back(control_points[from_below * (degree_u + 1) + from_left]);
-        }
-        internal::change_prefix_degree(column, across, 2 * layers - 1);
-        for (std::size_t k = 0; k < layers; ++k)
-          points[k * (along + 1) + j] = column[k];
-      }
-      ribbons.emplace_back(along, layers, std::move(points));
+      const auto point = [&](std::size_t j, std::size_t k) {
+        const std::size_t from_left = side == 0   ? j
+                                      : side == 1 ? degree_u - k
+                                      : side == 2 ? degree_u - j
+                                                  : k;
+        const std::size_t from_below = side == 0   ? k
+                                       : side == 1 ? j
+                                       : side == 2 ? degree_v - k
+                                                   : degree_v - j;
+        return control_points[from_below * (degree_u + 1) + from_left];
+      };
+      ribbons.emplace_back(
+          along, layers,
+          internal::change_cross_degree(along + 1, layers, point, across, 2 * layers - 1));
     }
     return Loop(std::move(ribbons));
   }
@@ -251,8 +232,6 @@ private:
   }
 
   std::size_t degree_u_, degree_v_;
-  std::vector<Point_3> control_points_;
-  Domain domain_;
 };
 
 } // namespace Multisided_patches

@@ -8,10 +8,11 @@
 
 #include <CGAL/Multisided_patches/errors.h>
 #include <CGAL/Multisided_patches/internal/bernstein.h>
+#include <CGAL/Multisided_patches/internal/check_finite.h>
 #include <CGAL/Multisided_patches/ribbons/Bezier_ribbon_3.h>
+#include <CGAL/Multisided_patches/ribbons/internal/de_casteljau.h>
 
 #include <CGAL/assertions.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/container/small_vector.hpp>
 
@@ -23,27 +24,6 @@
 
 namespace CGAL {
 namespace Multisided_patches {
-
-namespace internal {
-
-// Throws if a coordinate is not finite; `owner` ends the message.
-template <typename Point_3>
-void check_finite(const std::vector<Point_3>& points, const std::string& owner) {
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Point_3& p = points[i];
-    if (!CGAL::is_finite(p.x()) || !CGAL::is_finite(p.y()) || !CGAL::is_finite(p.z()))
-      throw Input_error("control point " + std::to_string(i) + " of " + owner + " is not finite");
-  }
-}
-
-// The point (1 - s) a + s b, exactly a for s = 0 and b for s = 1 in floating-point arithmetic, too.
-template <typename Point_3, typename FT>
-Point_3 between(const Point_3& a, const Point_3& b, const FT& s, const FT& one_minus_s) {
-  return Point_3(FT(one_minus_s * a.x() + s * b.x()), FT(one_minus_s * a.y() + s * b.y()),
-                 FT(one_minus_s * a.z() + s * b.z()));
-}
-
-} // namespace internal
 
 /*!
  * A polynomial curve in Bézier form: C(s) = Σ B^d_j(s) P_j for s in [0,1], with the Bernstein
@@ -132,14 +112,7 @@ public:
    */
   std::pair<Bezier_curve_3, Bezier_curve_3> subdivided(const FT& s) const {
     CGAL_precondition(FT(0) <= s && s <= FT(1));
-    std::vector<Point_3> left, right(control_points_);
-    left.push_back(right[0]);
-    const FT t = FT(1) - s;
-    for (std::size_t n = degree(); n > 0; --n) {
-      for (std::size_t j = 0; j < n; ++j)
-        right[j] = internal::between(right[j], right[j + 1], s, t);
-      left.push_back(right[0]);
-    }
+    auto [left, right] = internal::split_curve(control_points_, s);
     return {Bezier_curve_3(std::move(left)), Bezier_curve_3(std::move(right))};
   }
 
@@ -148,10 +121,10 @@ public:
    * is larger than `b`. Complexity: O(d²). \pre `a` and `b` lie in [0,1] and differ
    */
   Bezier_curve_3 restricted(const FT& a, const FT& b) const {
-    CGAL_precondition(a != b);
+    CGAL_precondition(a != b && FT(0) <= (std::min)(a, b) && (std::max)(a, b) <= FT(1));
     if (b < a)
       return restricted(b, a).reversed();
-    return subdivided(a).second.subdivided((b - a) / (FT(1) - a)).first;
+    return Bezier_curve_3(internal::curve_piece(control_points_, a, b));
   }
 
   //! the same curve with its degree raised by 1; see `elevated_to()`

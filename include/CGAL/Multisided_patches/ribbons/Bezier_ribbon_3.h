@@ -8,6 +8,7 @@
 
 #include <CGAL/Multisided_patches/errors.h>
 #include <CGAL/Multisided_patches/internal/bernstein.h>
+#include <CGAL/Multisided_patches/internal/check_finite.h>
 #include <CGAL/Multisided_patches/internal/gauss_legendre.h>
 #include <CGAL/Multisided_patches/ribbons/internal/degree_change.h>
 
@@ -69,12 +70,10 @@ public:
                         std::to_string(layers) +
                         " layers needs (degree + 1) * layers control points, not " +
                         std::to_string(control_points_.size()));
-    for (std::size_t i = 0; i < control_points_.size(); ++i) {
-      const Point_3& p = control_points_[i];
-      if (!CGAL::is_finite(p.x()) || !CGAL::is_finite(p.y()) || !CGAL::is_finite(p.z()))
+    for (std::size_t i = 0; i < control_points_.size(); ++i)
+      if (!internal::has_finite_coordinates(control_points_[i]))
         throw Input_error("control point " + std::to_string(i % (degree + 1)) + " of row " +
                           std::to_string(i / (degree + 1)) + " is not finite");
-    }
   }
 
   //! the degree d along the side
@@ -208,18 +207,16 @@ public:
     if (2 * layers > internal::max_bernstein_degree<FT>())
       throw Input_error("a ribbon cannot have " + std::to_string(layers) + " layers, only up to " +
                         std::to_string(internal::max_bernstein_degree<FT>() / 2));
-    std::vector<Point_3> points((degree_ + 1) * layers, ORIGIN);
-    for (std::size_t j = 0; j <= degree_; ++j) {
-      std::vector<Point_3> column;
-      for (std::size_t k = 0; k < (std::min)(layers, layers_); ++k)
-        column.push_back(control_point(j, k));
-      internal::change_prefix_degree(column, cross_degree(), 2 * layers - 1);
-      while (column.size() < layers)
-        internal::append_smoothly(column);
-      for (std::size_t k = 0; k < layers; ++k)
-        points[k * (degree_ + 1) + j] = column[k];
-    }
-    return Bezier_ribbon_3(degree_, layers, std::move(points));
+    return Bezier_ribbon_3(degree_, layers,
+                           internal::change_columns(
+                               degree_ + 1, (std::min)(layers, layers_),
+                               [this](std::size_t j, std::size_t k) { return control_point(j, k); },
+                               [&](std::vector<Point_3>& column) {
+                                 internal::change_prefix_degree(column, cross_degree(),
+                                                                2 * layers - 1);
+                                 while (column.size() < layers)
+                                   internal::append_smoothly(column);
+                               }));
   }
 
 private:

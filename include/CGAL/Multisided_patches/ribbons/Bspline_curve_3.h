@@ -8,8 +8,10 @@
 
 #include <CGAL/Multisided_patches/errors.h>
 #include <CGAL/Multisided_patches/internal/bernstein.h>
+#include <CGAL/Multisided_patches/internal/check_finite.h>
 #include <CGAL/Multisided_patches/internal/to_text.h>
 #include <CGAL/Multisided_patches/ribbons/Bezier_curve_3.h>
+#include <CGAL/Multisided_patches/ribbons/internal/de_casteljau.h>
 
 #include <CGAL/Origin.h>
 #include <CGAL/assertions.h>

@@ -8,12 +8,12 @@
 
 #include <CGAL/Multisided_patches/errors.h>
 #include <CGAL/Multisided_patches/internal/bernstein.h>
+#include <CGAL/Multisided_patches/internal/check_finite.h>
 #include <CGAL/Multisided_patches/ribbons/Bezier_ribbon_3.h>
 #include <CGAL/Multisided_patches/ribbons/Ribbon_loop_3.h>
 #include <CGAL/Multisided_patches/ribbons/internal/degree_change.h>
 
 #include <CGAL/assertions.h>
-#include <CGAL/number_utils.h>
 
 #include <cstddef>
 #include <string>
@@ -63,11 +63,7 @@ public:
                         std::to_string(degree) + " has " +
                         std::to_string(number_of_control_points(sides, degree)) + " points, not " +
                         std::to_string(control_points_.size()));
-    for (std::size_t i = 0; i < control_points_.size(); ++i) {
-      const Point_3& p = control_points_[i];
-      if (!CGAL::is_finite(p.x()) || !CGAL::is_finite(p.y()) || !CGAL::is_finite(p.z()))
-        throw Input_error("control point " + std::to_string(i) + " of the net is not finite");
-    }
+    internal::check_finite(control_points_, "the net");
   }
 
   //! The largest number of sides.
@@ -130,17 +126,10 @@ public:
   Loop loop() const {
     std::vector<Bezier_ribbon_3<Traits>> ribbons;
     for (std::size_t i = 0; i < sides_; ++i) {
-      std::vector<Point_3> points((degree_ + 1) * layers());
-      for (std::size_t j = 0; j <= degree_; ++j) {
-        std::vector<Point_3> column;
-        for (std::size_t k = 0; k < layers(); ++k)
-          column.push_back(control_point(i, j, k));
-        if (degree_ == 2 * layers())
-          internal::lower_prefix(column, degree_);
-        for (std::size_t k = 0; k < layers(); ++k)
-          points[k * (degree_ + 1) + j] = column[k];
-      }
-      ribbons.emplace_back(degree_, layers(), std::move(points));
+      const auto point = [&](std::size_t j, std::size_t k) { return control_point(i, j, k); };
+      ribbons.emplace_back(
+          degree_, layers(),
+          internal::change_cross_degree(degree_ + 1, layers(), point, degree_, 2 * layers() - 1));
     }
     return Loop(std::move(ribbons));
   }

@@ -8,12 +8,12 @@
 
 #include <CGAL/Multisided_patches/errors.h>
 #include <CGAL/Multisided_patches/internal/bernstein.h>
+#include <CGAL/Multisided_patches/internal/check_finite.h>
 #include <CGAL/Multisided_patches/ribbons/Bezier_ribbon_3.h>
 #include <CGAL/Multisided_patches/ribbons/Ribbon_loop_3.h>
 #include <CGAL/Multisided_patches/ribbons/internal/multi_index.h>
 
 #include <CGAL/assertions.h>
-#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
@@ -75,11 +75,7 @@ public:
     if (control_points_.size() != expected)
       throw Input_error("the net of " + text(sides, depth) + " has " + std::to_string(expected) +
                         " points, not " + std::to_string(control_points_.size()));
-    for (std::size_t i = 0; i < control_points_.size(); ++i) {
-      const Point_3& p = control_points_[i];
-      if (!CGAL::is_finite(p.x()) || !CGAL::is_finite(p.y()) || !CGAL::is_finite(p.z()))
-        throw Input_error("control point " + std::to_string(i) + " of the net is not finite");
-    }
+    internal::check_finite(control_points_, "the net");
   }
 
   /*!

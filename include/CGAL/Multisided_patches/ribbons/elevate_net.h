@@ -50,28 +50,19 @@ Generalized_bezier_net_3<Traits> reduced_by_one(const Generalized_bezier_net_3<T
   using Point_3 = typename Traits::Point_3;
   const std::size_t n = net.size(), old_degree = net.degree(), d = old_degree - 1;
   const std::size_t width = d / 2 + 1; // of a quad
-  // Quad i as quads[i][b][a], lowered along one direction and then along the other.
-  std::vector<std::vector<std::vector<Point_3>>> quads(n);
+  // Point (a,b) of quad i as quads[i][b * width + a], lowered along a and then along b.
+  std::vector<std::vector<Point_3>> quads;
   for (std::size_t i = 0; i < n; ++i) {
-    std::vector<std::vector<Point_3>>& rows = quads[i];
-    for (std::size_t b = 0; b < width; ++b) {
-      rows.emplace_back();
-      for (std::size_t a = 0; a < width; ++a)
-        rows[b].push_back(quad_point(net, i, a, b));
-      lower_prefix(rows[b], old_degree);
-    }
-    for (std::size_t a = 0; a < width; ++a) {
-      std::vector<Point_3> column;
-      for (std::size_t b = 0; b < width; ++b)
-        column.push_back(rows[b][a]);
-      lower_prefix(column, old_degree);
-      for (std::size_t b = 0; b < width; ++b)
-        rows[b][a] = column[b];
-    }
+    const auto along_a = change_cross_degree(
+        width, width, [&](std::size_t b, std::size_t a) { return quad_point(net, i, a, b); },
+        old_degree, d);
+    quads.push_back(change_cross_degree(
+        width, width, [&](std::size_t a, std::size_t b) { return along_a[a * width + b]; },
+        old_degree, d));
   }
   const auto point = [&](std::size_t i, std::size_t a, std::size_t b) -> Point_3 {
-    const Point_3& p = quads[i][b][a];
-    return 2 * a == d ? CGAL::midpoint(p, quads[net.next(i)][a][b]) : p;
+    const Point_3& p = quads[i][b * width + a];
+    return 2 * a == d ? CGAL::midpoint(p, quads[net.next(i)][a * width + b]) : p;
   };
   return with_middle_point(net_from_quads<Traits>(n, d, point, net.central_point()),
                            middle_point(net));

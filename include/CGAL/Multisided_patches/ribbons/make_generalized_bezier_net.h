@@ -30,19 +30,15 @@ namespace internal {
 template <typename Traits>
 std::vector<std::vector<typename Traits::Point_3>> net_rows(const Bezier_ribbon_3<Traits>& ribbon,
                                                             std::size_t d) {
-  using Point_3 = typename Traits::Point_3;
   const Bezier_ribbon_3<Traits> along =
       d < ribbon.degree() ? ribbon.reduced(d) : ribbon.elevated(d);
   const std::size_t count = (std::min)(ribbon.layers(), (d + 1) / 2);
-  std::vector<std::vector<Point_3>> rows(count);
-  for (std::size_t j = 0; j <= d; ++j) {
-    std::vector<Point_3> column;
-    for (std::size_t k = 0; k < count; ++k)
-      column.push_back(along.control_point(j, k));
-    change_prefix_degree(column, ribbon.cross_degree(), d);
-    for (std::size_t k = 0; k < count; ++k)
-      rows[k].push_back(column[k]);
-  }
+  const auto points = change_cross_degree(
+      d + 1, count, [&](std::size_t j, std::size_t k) { return along.control_point(j, k); },
+      ribbon.cross_degree(), d);
+  std::vector<std::vector<typename Traits::Point_3>> rows;
+  for (auto row = points.begin(); row != points.end(); row += d + 1)
+    rows.emplace_back(row, row + d + 1);
   return rows;
 }
 

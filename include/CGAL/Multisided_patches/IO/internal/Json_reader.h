@@ -7,6 +7,7 @@
 #define CGAL_MULTISIDED_PATCHES_IO_INTERNAL_JSON_READER_H
 
 #include <CGAL/Multisided_patches/IO/internal/parse_json.h>
+#include <CGAL/Multisided_patches/IO/internal/similar_word.h>
 #include <CGAL/Multisided_patches/errors.h>
 
 #include <nlohmann/json.hpp>
@@ -41,7 +42,7 @@ public:
       fail_expecting("an object");
     for (const auto& member : value_->items())
       if (std::find(keys.begin(), keys.end(), member.key()) == keys.end())
-        fail("the key '" + printable(member.key()) + "' is not known");
+        fail_at_key(member.key(), keys);
   }
   bool has(const std::string& key) const { return value_->is_object() && value_->contains(key); }
   Json_reader operator[](const std::string& key) const {
@@ -97,12 +98,15 @@ public:
 
   template <std::size_t N>
   std::array<double, N> numbers() const {
-    if (!value_->is_array() || value_->size() != N)
-      fail("expected " + std::to_string(N) + " numbers");
+    const std::string what = std::to_string(N) + " numbers";
+    if (!value_->is_array())
+      fail_expecting(what);
+    if (value_->size() != N)
+      fail("expected " + what + ", found an array of " + std::to_string(value_->size()));
     std::array<double, N> result;
     for (std::size_t c = 0; c < N; ++c) {
       if (!(*value_)[c].is_number())
-        fail("expected " + std::to_string(N) + " numbers");
+        fail("expected " + what + ", found " + shown((*value_)[c]) + " among them");
       result[c] = (*value_)[c].get<double>();
     }
     return result;
@@ -110,11 +114,20 @@ public:
 
 private:
   [[noreturn]] void fail_expecting(const std::string& what) const {
-    const bool is_short = value_->is_primitive();
-    fail("expected " + what + ", found " +
-         (is_short ? printable(value_->dump(-1, ' ', true, Json::error_handler_t::replace))
-          : value_->is_array() ? "an array"
-                               : "an object"));
+    fail("expected " + what + ", found " + shown(*value_));
+  }
+  [[noreturn]] void fail_at_key(const std::string& key,
+                                const std::vector<std::string>& known) const {
+    const std::string similar = similar_word(key, known);
+    fail("the key '" + printable(key) + "' is not known" +
+         (similar.empty() ? "" : "; is '" + similar + "' meant?"));
+  }
+
+  static std::string shown(const Json& value) {
+    return value.is_primitive()
+               ? printable(value.dump(-1, ' ', true, Json::error_handler_t::replace))
+           : value.is_array() ? "an array"
+                              : "an object";
   }
 
   const Json* value_;

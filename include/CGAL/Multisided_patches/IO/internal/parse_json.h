@@ -28,9 +28,8 @@ struct Json_limits {
   std::size_t size, values, depth;
 };
 
-// Text of a file as an error message can show it.
-inline std::string printable(const std::string& text) {
-  constexpr std::size_t longest = 40;
+// Text of a file, or about one, as an error message can show it.
+inline std::string printable(const std::string& text, std::size_t longest = 40) {
   std::string result;
   for (std::size_t k = 0; k < text.size() && k < longest; ++k)
     result += text[k] >= 32 && text[k] < 127 ? text[k] : '?';
@@ -66,15 +65,63 @@ public:
     keys_.back() = std::move(key);
     return true;
   }
-  // A number that is too large comes here, too, and has no position.
-  bool parse_error(std::size_t position, const std::string& token, const std::exception&) {
-    position = (std::min)(position, text_.size());
-    const auto line = 1 + std::count(text_.begin(), text_.begin() + position, '\n');
-    throw Input_error(name_ + ":" + std::to_string(line) + ": expected JSON, found '" +
-                      printable(token) + "'");
+  // `position` is the number of characters up to the first one that does not fit, this included.
+  bool parse_error(std::size_t position, const std::string& token, const std::exception& error) {
+    const std::size_t before = (std::min)((std::max)(position, std::size_t(1)) - 1, text_.size());
+    const auto here = text_.begin() + static_cast<std::ptrdiff_t>(before);
+    const auto line = 1 + std::count(text_.begin(), here, '\n');
+    const std::size_t line_end = before == 0 ? std::string::npos : text_.rfind('\n', before - 1);
+    const std::size_t column = line_end == std::string::npos ? before + 1 : before - line_end;
+    const std::string why = reason(error.what(), token);
+    const std::string found = before == text_.size()
+                                  ? "the end of the file"
+                                  : '\'' + printable(unexpected(before, token, why)) + '\'';
+    throw Input_error(name_ + ":" + std::to_string(line) + ": expected JSON, found " + found +
+                      " at column " + std::to_string(column) + ": " + printable(why, 90));
   }
 
 private:
+  // What the JSON library says about an error, without its prefixes ("[json.exception.parse_error.
+  // 101] parse error at line 1, column 2: ") and the token, of which there may be very much.
+  static std::string reason(std::string text, const std::string& token) {
+    const auto skip = [&](const std::string& start, const std::string& end) {
+      const std::size_t at = text.find(end);
+      if (text.rfind(start, 0) == 0 && at != std::string::npos)
+        text.erase(0, at + end.size());
+    };
+    skip("[json.exception.", "] ");
+    skip("parse error at ", ": ");
+    for (const char* words : {"; last read: '", " parsing '"}) {
+      const std::string quote = words + token + '\'';
+      const std::size_t at = text.find(quote);
+      if (at != std::string::npos)
+        text.erase(at, quote.size());
+    }
+    return text;
+  }
+
+  // What does not fit, and has been read up to the character at `last`. The token of the library is
+  // that only if it is a string; else there may be something before it.
+  std::string unexpected(std::size_t last, const std::string& token,
+                         const std::string& reason) const {
+    if (reason.find("unexpected string") != std::string::npos ||
+        reason.find("invalid string") != std::string::npos)
+      return token;
+    const auto is_in_word = [&](std::size_t k) {
+      const char c = text_[k];
+      return ('0' <= c && c <= '9') || ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') ||
+             c == '+' || c == '-' || c == '.';
+    };
+    std::size_t begin = last, end = last;
+    if (reason.find("unexpected '") == std::string::npos) { // no bracket, comma or colon
+      while (begin > 0 && is_in_word(begin - 1))
+        --begin;
+      while (end < text_.size() && is_in_word(end))
+        ++end;
+    }
+    return text_.substr(begin, (std::max)(end - begin, std::size_t(1)));
+  }
+
   template <typename Value>
   bool add(Value&& value) {
     insert(std::forward<Value>(value));

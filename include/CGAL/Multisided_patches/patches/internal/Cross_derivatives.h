@@ -12,14 +12,12 @@
 #include <CGAL/Multisided_patches/internal/vector_utils.h>
 #include <CGAL/Multisided_patches/ribbons/Ribbon_loop_3.h>
 
-#include <CGAL/Bbox_3.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -43,20 +41,6 @@ Side_coordinates<typename Traits::FT> side_coordinates(const Polygonal_domain_2<
   const auto w = domain.vertex(to) - domain.vertex(from);
   const typename Traits::FT squared = e.x() * e.x() + e.y() * e.y();
   return {(w.x() * e.x() + w.y() * e.y()) / squared, (e.x() * w.y() - e.y() * w.x()) / squared};
-}
-
-// The rounding error of the largest coordinate of a loop (model units): what far from the origin
-// the differences of its points are uncertain by, whatever their lengths.
-template <typename Traits>
-double coordinate_rounding(const Ribbon_loop_3<Traits>& loop) {
-  using FT = typename Traits::FT;
-  const Bbox_3& box = loop.bbox();
-  double largest = 0;
-  for (int c = 0; c < 3; ++c)
-    largest = (std::max)({largest, std::abs((box.min)(c)), std::abs((box.max)(c))});
-  // Points in exact arithmetic have mostly been rounded before.
-  const double epsilon = CGAL::to_double(std::numeric_limits<FT>::epsilon());
-  return (std::max)(epsilon, std::numeric_limits<double>::epsilon()) * largest;
 }
 
 /*!

@@ -8,8 +8,7 @@
 
 #include <CGAL/Multisided_patches/internal/vector_utils.h>
 #include <CGAL/Multisided_patches/ribbons/Bezier_ribbon_3.h>
-
-#include <CGAL/Kernel_traits.h>
+#include <CGAL/Multisided_patches/ribbons/internal/de_casteljau.h>
 
 #include <cstddef>
 #include <optional>
@@ -19,28 +18,6 @@
 namespace CGAL {
 namespace Multisided_patches {
 namespace internal {
-
-// The control points of a curve on [0,t] and on [t,1], by de Casteljau's algorithm. With t outside
-// of [0,1] one of the two is longer than the curve, and the other runs back.
-template <typename Point_3, typename FT>
-std::pair<std::vector<Point_3>, std::vector<Point_3>> split_curve(std::vector<Point_3> points,
-                                                                  const FT& t) {
-  std::vector<Point_3> first;
-  for (std::size_t last = points.size(); last-- > 0;) {
-    first.push_back(points.front());
-    for (std::size_t j = 0; j < last; ++j)
-      points[j] = points[j] + t * (points[j + 1] - points[j]);
-  }
-  return {std::move(first), std::move(points)};
-}
-
-// The control points of a curve on [begin,end]. pre: 0 <= begin < end <= 1
-template <typename Point_3, typename FT>
-std::vector<Point_3> curve_piece(const std::vector<Point_3>& points, const FT& begin,
-                                 const FT& end) {
-  std::vector<Point_3> piece = end == FT(1) ? points : split_curve(points, end).first;
-  return begin == FT(0) ? piece : split_curve(piece, FT(begin / end)).second;
-}
 
 template <typename Traits>
 std::vector<typename Traits::Point_3> row_of(const Bezier_ribbon_3<Traits>& ribbon, std::size_t k) {

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -62,6 +63,37 @@ void change_prefix_degree(std::vector<Point_3>& points, std::size_t from, std::s
     raise_prefix(points, from);
   for (; from > to; --from)
     lower_prefix(points, from);
+}
+
+/*
+ * Control points in columns: `control_point(j, k)` is point k of column j, of as many as `columns`
+ * and `rows` say. Returns them row by row after `change(column)`, with a vector of points, has made
+ * the same number of points from each column.
+ */
+template <typename Control_point, typename Change>
+auto change_columns(std::size_t columns, std::size_t rows, const Control_point& control_point,
+                    const Change& change) {
+  using Point_3 = std::decay_t<decltype(control_point(columns, rows))>;
+  std::vector<Point_3> points;
+  for (std::size_t j = 0; j < columns; ++j) {
+    std::vector<Point_3> column;
+    for (std::size_t k = 0; k < rows; ++k)
+      column.push_back(control_point(j, k));
+    change(column);
+    points.resize(columns * column.size());
+    for (std::size_t k = 0; k < column.size(); ++k)
+      points[k * columns + j] = column[k];
+  }
+  return points;
+}
+
+// The first rows of a tensor product surface of degree `from` across them, as those of a surface of
+// degree `to`: each column by `change_prefix_degree()`.
+template <typename Control_point>
+auto change_cross_degree(std::size_t columns, std::size_t rows, const Control_point& control_point,
+                         std::size_t from, std::size_t to) {
+  return change_columns(columns, rows, control_point,
+                        [&](auto& column) { change_prefix_degree(column, from, to); });
 }
 
 // Adds one more of the first control points, such that the derivative of the order that it
