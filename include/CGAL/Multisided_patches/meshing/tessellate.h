@@ -60,6 +60,7 @@ void tessellate(const Patch& patch, const Domain_mesh_2<typename Patch::Geom_tra
   using Graph = boost::graph_traits<FaceGraph>;
   std::vector<typename Graph::vertex_descriptor> handles(n, builder.null_vertex());
   builder.add(patch_mesh, 0, handles);
+  builder.finish();
 }
 
 /*!

@@ -133,6 +133,7 @@ public:
       for (std::size_t v = 0; v < groups_[k].size(); ++v)
         common[groups_[k][v]] = handles[v];
     }
+    builder.finish();
   }
 
 private:

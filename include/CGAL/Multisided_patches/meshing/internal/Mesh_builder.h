@@ -13,17 +13,21 @@
 #include <CGAL/Multisided_patches/meshing/Mesh_maps.h>
 #include <CGAL/Multisided_patches/meshing/Tessellation_visitor.h>
 #include <CGAL/Multisided_patches/meshing/internal/Scaled_surface.h>
+#include <CGAL/Multisided_patches/meshing/internal/opposite_half_edges.h>
 #include <CGAL/Multisided_patches/patches/Surface_geometry_3.h>
 
-#include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/properties.h>
+
+#include <boost/functional/hash.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <type_traits>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -108,21 +112,24 @@ void put_if_wanted([[maybe_unused]] const Map& map, [[maybe_unused]] const Key& 
     put(map, key, value);
 }
 
-// Adds patches to a mesh of any kind.
+// Adds patches to a mesh of any kind. Which triangles are neighbours is known beforehand, so that
+// nothing is looked for in the mesh; where patches meet, edges are found by their vertices.
 template <typename FaceGraph, typename Maps>
 class Mesh_builder {
+  using Graph = boost::graph_traits<FaceGraph>;
+
 public:
-  using Vertex = typename boost::graph_traits<FaceGraph>::vertex_descriptor;
-  using Halfedge = typename boost::graph_traits<FaceGraph>::halfedge_descriptor;
-  using Face = typename boost::graph_traits<FaceGraph>::face_descriptor;
+  using Vertex = typename Graph::vertex_descriptor;
+  using Halfedge = typename Graph::halfedge_descriptor;
+  using Face = typename Graph::face_descriptor;
 
   Mesh_builder(FaceGraph& mesh, const Maps& maps) : mesh_(mesh), maps_(maps) {}
 
-  static Vertex null_vertex() { return boost::graph_traits<FaceGraph>::null_vertex(); }
+  static Vertex null_vertex() { return Graph::null_vertex(); }
 
   // Makes room for so many more vertices and triangles.
   void make_room(std::size_t vertices, std::size_t triangles) {
-    using Size = typename boost::graph_traits<FaceGraph>::vertices_size_type;
+    using Size = typename Graph::vertices_size_type;
     reserve(mesh_, static_cast<Size>(num_vertices(mesh_) + vertices),
             static_cast<Size>(num_edges(mesh_) + vertices + triangles),
             static_cast<Size>(num_faces(mesh_) + triangles));
@@ -139,14 +146,38 @@ public:
         put(points, handles[k], patch.vertices[k].point);
         put_vertex_properties(patch, k, handles[k]);
       }
-    for (const auto& t : patch.domain_mesh->triangles) {
-      const std::array<Vertex, 3> corners{handles[t[0]], handles[t[1]], handles[t[2]]};
-      const Face face = Euler::add_face(corners, mesh_);
-      CGAL_assertion(face != boost::graph_traits<FaceGraph>::null_face());
+    const auto& triangles = patch.domain_mesh->triangles;
+    const std::vector<std::size_t> opposites = opposite_half_edges(triangles, handles.size());
+    std::vector<Halfedge> halfedges(opposites.size());
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+      const std::array<Vertex, 3> corners{handles[triangles[t][0]], handles[triangles[t][1]],
+                                          handles[triangles[t][2]]};
+      for (std::size_t h = 3 * t; h < 3 * t + 3; ++h) {
+        const std::size_t o = opposites[h];
+        const Vertex from = corners[h - 3 * t], to = corners[(h + 1 - 3 * t) % 3];
+        halfedges[h] = o == no_half_edge ? halfedge_on_border(from, to)
+                       : o < h           ? opposite(halfedges[o], mesh_)
+                                         : new_halfedge(from, to);
+      }
+      const Face face = face_of({halfedges[3 * t], halfedges[3 * t + 1], halfedges[3 * t + 2]});
       put_if_wanted(maps_.patch, face, index);
       if constexpr (is_wanted<decltype(Maps::side)>)
-        put_sides(patch, t, face, corners);
+        put_sides(patch, triangles[t], face, corners);
     }
+  }
+
+  // Links the halfedges on the border of what was added.
+  void finish() {
+    for (const auto& [ends, halfedge] : border_) {
+      // Around the vertex where it ends, from face to face, up to the next one on the border.
+      Halfedge other = opposite(halfedge, mesh_);
+      do
+        other = opposite(prev(other, mesh_), mesh_);
+      while (face(other, mesh_) != Graph::null_face());
+      set_next(halfedge, other, mesh_);
+      set_halfedge(ends.second, halfedge, mesh_);
+    }
+    border_.clear();
   }
 
 private:
@@ -189,8 +220,53 @@ private:
     }
   }
 
+  // An edge, of which this halfedge gets a face.
+  Halfedge new_halfedge(Vertex from, Vertex to) {
+    const Halfedge h = halfedge(add_edge(mesh_), mesh_);
+    set_target(h, to, mesh_);
+    set_target(opposite(h, mesh_), from, mesh_);
+    return h;
+  }
+
+  // The same where there is no other triangle in the patch: there may be one in another patch.
+  Halfedge halfedge_on_border(Vertex from, Vertex to) {
+    const auto other = border_.find({from, to});
+    if (other != border_.end()) {
+      const Halfedge h = other->second;
+      border_.erase(other);
+      return h;
+    }
+    const Halfedge h = new_halfedge(from, to), o = opposite(h, mesh_);
+    set_face(o, Graph::null_face(), mesh_);
+    const bool is_new = border_.emplace(std::make_pair(to, from), o).second;
+    CGAL_assertion(is_new);
+    static_cast<void>(is_new);
+    return h;
+  }
+
+  Face face_of(const std::array<Halfedge, 3>& halfedges) {
+    const Face f = add_face(mesh_);
+    for (std::size_t i = 0; i < 3; ++i) {
+      set_next(halfedges[i], halfedges[(i + 1) % 3], mesh_);
+      set_face(halfedges[i], f, mesh_);
+      set_halfedge(target(halfedges[i], mesh_), halfedges[i], mesh_);
+    }
+    set_halfedge(f, halfedges[0], mesh_);
+    return f;
+  }
+
+  struct Hash_of_ends {
+    std::size_t operator()(const std::pair<Vertex, Vertex>& ends) const {
+      std::size_t seed = std::hash<Vertex>()(ends.first);
+      boost::hash_combine(seed, std::hash<Vertex>()(ends.second));
+      return seed;
+    }
+  };
+
   FaceGraph& mesh_;
   Maps maps_;
+  // The halfedges without a face, by where they start and end.
+  std::unordered_map<std::pair<Vertex, Vertex>, Halfedge, Hash_of_ends> border_;
 };
 
 } // namespace internal

@@ -122,19 +122,28 @@ public:
 
   // Does the same to the points of triangles with an angle below 32 degrees, and around these.
   void smooth_where_sharp(int sweeps) {
+    std::vector<Face_handle> faces = faces_inside();
     for (int k = 0; k < sweeps; ++k) {
-      const std::vector<Vertex_handle> vertices = vertices_of_sharp_triangles();
+      const std::vector<Vertex_handle> vertices = vertices_of_sharp_triangles(faces);
+      faces.clear();
       for (const Vertex_handle v : vertices)
         if (!smooth_point(v))
           nudge_point(v);
-      std::vector<Face_handle> faces;
       for (const Vertex_handle v : vertices)
         for_each_face_around(v, [&](Face_handle f) { faces.push_back(f); });
-      make_delaunay(std::move(faces));
+      make_delaunay(faces);
     }
   }
 
 private:
+  std::vector<Face_handle> faces_inside() const {
+    std::vector<Face_handle> faces;
+    for (const Face_handle f : cdt_.finite_face_handles())
+      if (is_inside(f))
+        faces.push_back(f);
+    return faces;
+  }
+
   bool is_strictly_inside(Face_handle f, const Uv& p) const {
     const Point_2 point(FT(p.x), FT(p.y));
     for (int i = 0; i < 3; ++i)
@@ -179,13 +188,7 @@ private:
     }
   }
 
-  void make_delaunay() {
-    std::vector<Face_handle> faces;
-    for (const Face_handle f : cdt_.finite_face_handles())
-      if (is_inside(f))
-        faces.push_back(f);
-    make_delaunay(std::move(faces));
-  }
+  void make_delaunay() { make_delaunay(faces_inside()); }
 
   // Restores the Delaunay property where only edges of these faces may lack it. As the metric is
   // not the same everywhere, flips could go round in circles; so their number is limited.
@@ -219,12 +222,11 @@ private:
   }
 
   // And of their neighbours, in an order that does not depend on addresses.
-  std::vector<Vertex_handle> vertices_of_sharp_triangles() const {
+  std::vector<Vertex_handle>
+  vertices_of_sharp_triangles(const std::vector<Face_handle>& faces) const {
     constexpr double max_squared_ratio = 0.89; // of circumradius and shortest edge
     std::vector<Vertex_handle> vertices;
-    for (const Face_handle f : cdt_.finite_face_handles()) {
-      if (!is_inside(f))
-        continue;
+    for (const Face_handle f : faces) {
       const Metric_triangle t = triangle(f);
       if (t.squared_circumradius() > max_squared_ratio * t.squared_length(t.shortest_edge()))
         for (int i = 0; i < 3; ++i)
