@@ -3,31 +3,20 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Multisided_patches.h>
+#include "fixtures.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Multisided_patches/coordinates/Mean_value_coordinates_2.h>
+#include <CGAL/Multisided_patches/coordinates/Wachspress_coordinates_2.h>
+#include <CGAL/Multisided_patches/patches/Concave_bezier_patch_3.h>
 
-#include <benchmark/benchmark.h>
-
-#include <cstddef>
-#include <string>
 #include <type_traits>
-#include <vector>
 
 // What derivatives of a patch cost in comparison with its points, on one core.
 
 namespace {
 
-namespace MP = CGAL::Multisided_patches;
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-
-// The points inside a mesh of the domain.
-template <typename Patch>
-std::vector<Kernel::Point_2> points_inside(const Patch& patch) {
-  const auto mesh = MP::mesh_domain(patch, MP::Mesh_density::triangles(5000));
-  return {mesh.points.begin() + static_cast<std::ptrdiff_t>(mesh.number_of_boundary_points),
-          mesh.points.end()};
-}
+namespace MP = bench::MP;
+using bench::Kernel;
 
 using Harmonic = MP::Harmonic_coordinates_2<Kernel>;
 using Mean_value = MP::Mean_value_coordinates_2<Kernel>;
@@ -41,28 +30,25 @@ constexpr const char* model_name =
 template <int Order, typename Coordinates>
 void patch_point(benchmark::State& state) {
   const std::string name = model_name<Coordinates>;
-  const auto model = MP::IO::read_CGB<Kernel>(std::string(MODELS_DIR) + "/" + name + ".cgb");
-  const MP::Concave_bezier_patch_3<Kernel, Coordinates> patch(model);
-  const auto points = points_inside(patch);
+  const MP::Concave_bezier_patch_3<Kernel, Coordinates> patch(bench::read_model(name));
+  const auto points = fixtures::random_points_inside(patch.domain(), 2000);
   const auto interior = MP::Domain_location<double>::interior();
   for (auto _ : state)
     for (const Kernel::Point_2& p : points)
       benchmark::DoNotOptimize(patch.template evaluate<Order>(p, interior));
   state.SetLabel(name);
-  state.counters["per_point"] = benchmark::Counter(static_cast<double>(points.size()),
-                                                   benchmark::Counter::kIsIterationInvariantRate |
-                                                       benchmark::Counter::kInvert);
+  bench::report_seconds_per(state, "point", points.size());
 }
 
 } // namespace
 
 // Points; with first derivatives; with second derivatives.
-BENCHMARK_TEMPLATE(patch_point, 0, Harmonic);
-BENCHMARK_TEMPLATE(patch_point, 1, Harmonic);
-BENCHMARK_TEMPLATE(patch_point, 2, Harmonic);
-BENCHMARK_TEMPLATE(patch_point, 0, Mean_value);
-BENCHMARK_TEMPLATE(patch_point, 1, Mean_value);
-BENCHMARK_TEMPLATE(patch_point, 2, Mean_value);
-BENCHMARK_TEMPLATE(patch_point, 0, Wachspress);
-BENCHMARK_TEMPLATE(patch_point, 1, Wachspress);
-BENCHMARK_TEMPLATE(patch_point, 2, Wachspress);
+BENCHMARK_TEMPLATE(patch_point, 0, Harmonic)->Unit(benchmark::kMillisecond);
+BENCHMARK_TEMPLATE(patch_point, 1, Harmonic)->Unit(benchmark::kMillisecond);
+BENCHMARK_TEMPLATE(patch_point, 2, Harmonic)->Unit(benchmark::kMillisecond);
+BENCHMARK_TEMPLATE(patch_point, 0, Mean_value)->Unit(benchmark::kMillisecond);
+BENCHMARK_TEMPLATE(patch_point, 1, Mean_value)->Unit(benchmark::kMillisecond);
+BENCHMARK_TEMPLATE(patch_point, 2, Mean_value)->Unit(benchmark::kMillisecond);
+BENCHMARK_TEMPLATE(patch_point, 0, Wachspress)->Unit(benchmark::kMillisecond);
+BENCHMARK_TEMPLATE(patch_point, 1, Wachspress)->Unit(benchmark::kMillisecond);
+BENCHMARK_TEMPLATE(patch_point, 2, Wachspress)->Unit(benchmark::kMillisecond);

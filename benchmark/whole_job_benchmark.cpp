@@ -3,95 +3,81 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Multisided_patches.h>
+#include "fixtures.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Multisided_patches/meshing/tessellate.h>
+#include <CGAL/Multisided_patches/patches/Concave_bezier_patch_3.h>
+
 #include <CGAL/Surface_mesh.h>
 
-#include <benchmark/benchmark.h>
+#include <cmath>
 
-#include <string>
-
-// The stages of the main job, one by one and together, on models of growing complexity.
+// The main job as a user sees it: from a file to a mesh with normals in memory, with harmonic
+// coordinates to 1e-8.
 
 namespace {
 
-namespace MP = CGAL::Multisided_patches;
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Patch = MP::Concave_bezier_patch_3<Kernel>;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using bench::MP::Mesh_density;
+using Patch = bench::MP::Concave_bezier_patch_3<bench::Kernel>;
+using Mesh = CGAL::Surface_mesh<bench::Point_3>;
 
-const char* const models[] = {"triangle_corner", "l_bracket", "u_vent", "plus_hub",
-                              "spiral_volute"};
-
-MP::Concave_bezier_model_3<Kernel> model(const benchmark::State& state) {
-  return MP::IO::read_CGB<Kernel>(std::string(MODELS_DIR) + "/" + models[state.range(0)] + ".cgb");
+Mesh whole_job(const std::string& name, const Mesh_density& density) {
+  const Patch patch(bench::read_model(name));
+  Mesh mesh;
+  bench::MP::tessellate(patch, mesh, density);
+  return mesh;
 }
 
-std::size_t triangles(const benchmark::State& state) {
-  return static_cast<std::size_t>(state.range(1));
-}
-
-void domain(benchmark::State& state) {
-  const auto input = model(state);
-  state.SetLabel(models[state.range(0)]);
-  for (auto _ : state)
-    benchmark::DoNotOptimize(MP::make_domain(input.loop, input.domain));
-}
-
-void harmonic_setup(benchmark::State& state) {
-  const auto input = model(state);
-  const auto generated = MP::make_domain(input.loop, input.domain);
-  state.SetLabel(models[state.range(0)]);
-  for (auto _ : state)
-    benchmark::DoNotOptimize(MP::Harmonic_coordinates_2<Kernel>(generated.domain));
-}
-
-void domain_meshing(benchmark::State& state) {
-  const Patch patch(model(state));
-  state.SetLabel(models[state.range(0)]);
-  for (auto _ : state)
-    benchmark::DoNotOptimize(MP::mesh_domain(patch, MP::Mesh_density::triangles(triangles(state))));
-  state.SetItemsProcessed(state.iterations() * state.range(1));
-}
-
-void evaluation(benchmark::State& state) {
-  const Patch patch(model(state));
-  const auto domain_mesh = MP::mesh_domain(patch, MP::Mesh_density::triangles(triangles(state)));
-  state.SetLabel(models[state.range(0)]);
+void measure(benchmark::State& state, const std::string& name, const Mesh_density& density,
+             std::int64_t threads) {
+  state.SetLabel(name);
+  state.counters["error_bound"] = Patch(bench::read_model(name)).coordinates().error_bound();
+  const bench::Thread_limit limit(threads);
+  std::size_t vertices = 0, triangles = 0;
   for (auto _ : state) {
-    Mesh mesh;
-    MP::tessellate<CGAL::Sequential_tag>(patch, domain_mesh, mesh);
-    benchmark::DoNotOptimize(mesh);
+    const Mesh mesh = whole_job(name, density);
+    vertices = mesh.number_of_vertices();
+    triangles = mesh.number_of_faces();
   }
-  state.SetItemsProcessed(state.iterations() *
-                          static_cast<std::int64_t>(domain_mesh.points.size()));
+  state.counters["vertices"] = double(vertices);
+  state.counters["triangles"] = double(triangles);
 }
 
-void whole_job(benchmark::State& state) {
-  const auto input = model(state);
-  state.SetLabel(models[state.range(0)]);
-  for (auto _ : state) {
-    Mesh mesh;
-    MP::tessellate(Patch(input), mesh, MP::Mesh_density::triangles(triangles(state)));
-    benchmark::DoNotOptimize(mesh);
+// The edge length with which a model gets about so many vertices.
+double edge_length_for(const std::string& name, std::int64_t vertices) {
+  const Patch patch(bench::read_model(name));
+  double length = patch.loop().diagonal() / 100;
+  for (int round = 0; round < 4; ++round) {
+    const double count = double(bench::MP::mesh_domain(patch, length).points.size());
+    length *= std::sqrt(count / double(vertices));
   }
-  state.SetItemsProcessed(state.iterations() * state.range(1));
+  return length;
+}
+
+// A given edge length.
+void whole_job_by_edge_length(benchmark::State& state) {
+  const std::string name = bench::model_names[state.range(0)];
+  measure(state, name, Mesh_density(edge_length_for(name, state.range(1))), state.range(2));
+}
+
+// A given number of triangles, for which an edge length is searched.
+void whole_job_by_count(benchmark::State& state) {
+  measure(state, bench::model_names[state.range(0)],
+          Mesh_density::triangles(static_cast<std::size_t>(state.range(1))), state.range(2));
 }
 
 } // namespace
 
-BENCHMARK(domain)->DenseRange(0, 4)->Unit(benchmark::kMillisecond);
-BENCHMARK(harmonic_setup)->DenseRange(0, 4)->Unit(benchmark::kMillisecond);
-BENCHMARK(domain_meshing)
-    ->ArgsProduct({{0, 2, 4}, {1000, 100000}})
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
-BENCHMARK(evaluation)
-    ->ArgsProduct({{0, 2, 4}, {1000, 100000}})
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
-BENCHMARK(whole_job)
-    ->ArgsProduct({{0, 2, 4}, {1000, 100000, 1000000}})
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
+BENCHMARK(whole_job_by_edge_length)
+    ->ArgNames({"model", "vertices", "threads"})
+    ->ArgsProduct({{2}, {50000}, bench::thread_counts()})
+    ->ArgsProduct({{0, 1, 3, 4}, {50000}, {bench::thread_counts().back()}})
+    ->UseRealTime()
+    ->MeasureProcessCPUTime()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(whole_job_by_count)
+    ->ArgNames({"model", "triangles", "threads"})
+    ->ArgsProduct({{0, 2, 4}, {1000, 100000, 1000000}, {bench::thread_counts().back()}})
+    ->UseRealTime()
+    ->MeasureProcessCPUTime()
+    ->Unit(benchmark::kMillisecond);

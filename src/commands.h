@@ -38,10 +38,23 @@ struct Patch_options {
   bool elevate = false; // degrees, as far as the layers of the ribbons need it
 };
 
+// How to mesh many files, each on its own.
+struct Batch_options {
+  std::string directory; // for the meshes; empty if all inputs become one mesh
+  std::string format = "ply";
+  std::string list;                   // a file with the names of more inputs, "-" is standard input
+  std::optional<std::size_t> threads; // if not given, as many as there are processors
+  bool keep_going = false;            // after a file that fails
+  bool resume = false;                // pass over files whose meshes are up to date
+  bool mpi = false;                   // share the work among the ranks of mpirun
+  double rank_timeout = 60;           // seconds without a sign of life until a rank counts as lost
+};
+
 struct Mesh_options {
   Patch_options patch; // without its input
   std::vector<std::string> inputs;
-  std::string output;
+  std::string output; // empty if there is a directory
+  Batch_options batch;
   std::optional<double> edge_length, chordal_deviation; // model units
   std::optional<double> normal_deviation;               // degrees
   std::optional<std::size_t> triangles;
@@ -103,6 +116,11 @@ struct Merge_options {
   bool quiet = false;
 };
 
+// Thrown after a signal has ended the work in good order.
+struct Interrupted {
+  int signal;
+};
+
 double degrees(double radians);
 
 // Throws if an index that was given with an option is not one of n sides.
@@ -117,6 +135,9 @@ void print_remarks(const CGAL::Multisided_patches::Domain_report& report,
 
 // The commands. They throw CGAL::Multisided_patches::Error on bad input.
 void mesh_command(const Mesh_options& options);
+// The command mesh with a directory to write to. Throws an error, too, if a file failed, and
+// Interrupted if a signal has come.
+void batch_command(const Mesh_options& options);
 void info_command(const std::string& input);
 void domain_command(const Domain_picture_options& options);
 void coordinates_command(const Coordinates_options& options);

@@ -3,6 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "batch_arguments.h"
 #include "commands.h"
 
 #include <CGAL/Multisided_patches/IO/CGB.h>
@@ -16,8 +17,8 @@
 #include <map>
 #include <new>
 
-// What the program returns to the shell.
-enum Exit_code { success = 0, failure = 1, wrong_usage = 2 };
+// What the program returns to the shell; to the last one, the number of the signal is added.
+enum Exit_code { success = 0, failure = 1, wrong_usage = 2, signalled = 128 };
 
 namespace {
 
@@ -26,6 +27,14 @@ using namespace multipatch;
 
 constexpr const char* patch_help = "the patch, a .cgb, .gbp or .patch.json file";
 constexpr const char* patches_help = "the patches, .cgb, .gbp or .patch.json files";
+
+// A command, whose help ends with an example.
+CLI::App& add_command(CLI::App& app, const std::string& name, const std::string& description,
+                      const std::string& example) {
+  CLI::App& command = *app.add_subcommand(name, description);
+  command.footer("Example:  multipatch " + name + ' ' + example);
+  return command;
+}
 
 void add_domain_options(CLI::App& command, Patch_options& options) {
   static const std::map<std::string, MP::Domain_generator> domains{
@@ -113,15 +122,18 @@ void add_density_options(CLI::App& command, Mesh_options& options) {
 
 void add_mesh_command(CLI::App& app, Mesh_options& options) {
   CLI::App& command =
-      *app.add_subcommand("mesh", "make a triangle mesh of a patch, or one of several patches,\n"
-                                  "without gaps along the sides that they share");
-  command.add_option("INPUT", options.inputs, patches_help)->required();
+      add_command(app, "mesh",
+                  "make a triangle mesh of a patch, or one of several patches, without gaps\n"
+                  "along the sides that they share; or many files at once, a mesh of each",
+                  "bracket.cgb -o bracket.ply --triangles 20000\n"
+                  "          multipatch mesh models/ --output-directory meshes --resume");
+  command.add_option("INPUT", options.inputs, patches_help);
   add_patch_options(command, options.patch);
-  command
-      .add_option("-o,--output", options.output,
-                  "the mesh to write; the name ends in .ply, .obj, .off or .stl")
-      ->required()
-      ->type_name("FILE");
+  auto* output = command
+                     .add_option("-o,--output", options.output,
+                                 "the mesh to write; the name ends in .ply, .obj, .off or .stl")
+                     ->type_name("FILE");
+  add_batch_options(command, options.batch, *output);
   add_density_options(command, options);
   command.add_flag("--elevate", options.patch.elevate,
                    "raise the degrees of ribbons, whose shape stays the same, where that lets\n"
@@ -132,19 +144,24 @@ void add_mesh_command(CLI::App& app, Mesh_options& options) {
                   "domains and how they came about, and timings to a JSON file")
       ->type_name("FILE");
   command.add_flag("-q,--quiet", options.quiet, "print nothing but errors");
-  command.callback([&options] { mesh_command(options); });
+  command.callback([&options] {
+    require_mesh_arguments(options);
+    mesh_command(options);
+  });
 }
 
 void add_info_command(CLI::App& app, std::string& input) {
-  CLI::App& command =
-      *app.add_subcommand("info", "print the sides and corners of a patch, and its domain");
+  CLI::App& command = add_command(
+      app, "info", "print the sides and corners of a patch, and its domain", "bracket.cgb");
   command.add_option("INPUT", input, patch_help)->required();
   command.callback([&input] { info_command(input); });
 }
 
 void add_domain_command(CLI::App& app, Domain_picture_options& options) {
-  CLI::App& command = *app.add_subcommand(
-      "domain", "draw the domain of a patch, with isolines of its side parameters and coordinates");
+  CLI::App& command = add_command(
+      app, "domain",
+      "draw the domain of a patch, with isolines of its side parameters and coordinates",
+      "bracket.cgb -o domain.svg --side 2 --coordinate 1");
   add_input(command, options.patch);
   add_patch_options(command, options.patch);
   command.add_option("-o,--output", options.output, "the picture to write, an .svg file")
@@ -165,9 +182,10 @@ void add_domain_command(CLI::App& app, Domain_picture_options& options) {
 
 void add_coordinates_command(CLI::App& app, Coordinates_options& options) {
   constexpr std::size_t max_samples = 1'000'000;
-  CLI::App& command = *app.add_subcommand(
-      "coordinates", "draw or tabulate barycentric coordinates on the domain of "
-                     "a patch,\nor on any polygon");
+  CLI::App& command = add_command(app, "coordinates",
+                                  "draw or tabulate barycentric coordinates on the domain of "
+                                  "a patch,\nor on any polygon",
+                                  "polygon.txt -o coordinates.csv --derivatives 1");
   command
       .add_option("INPUT", options.patch.input,
                   "a patch, a .cgb, .gbp or .patch.json file; or a polygon: two\n"
@@ -223,10 +241,12 @@ void add_report_options(CLI::App& command, std::string& json, bool& quiet) {
 
 void add_check_command(CLI::App& app, Check_options& options) {
   constexpr std::size_t max_samples = 100'000;
-  CLI::App& command = *app.add_subcommand(
-      "check", "measure how smoothly patches meet their ribbons, and each other where they\nhave "
-               "sides in common, and mesh them; fails if tolerances are exceeded or the\nmesh "
-               "intersects itself or has degenerate or folded triangles");
+  CLI::App& command = add_command(
+      app, "check",
+      "measure how smoothly patches meet their ribbons, and each other where they\nhave "
+      "sides in common, and mesh them; fails if tolerances are exceeded or the\nmesh "
+      "intersects itself or has degenerate or folded triangles",
+      "left.cgb right.cgb --plane-tolerance 0.01 --json report.json");
   command.add_option("INPUT", options.inputs, patches_help)->required();
   add_patch_options(command, options.patch);
   command.add_flag("--elevate", options.patch.elevate, "raise degrees, as the command mesh does");
@@ -260,10 +280,12 @@ void add_check_command(CLI::App& app, Check_options& options) {
 
 void add_exact_command(CLI::App& app, Exact_options& options) {
   constexpr std::size_t max_samples = 100'000;
-  CLI::App& command = *app.add_subcommand(
-      "exact", "measure the rounding errors of a patch in double precision: with Wachspress\n"
-               "coordinates against exact numbers where the domain is convex, elsewhere with\n"
-               "mean value coordinates against numbers of 100 digits");
+  CLI::App& command =
+      add_command(app, "exact",
+                  "measure the rounding errors of a patch in double precision: with Wachspress\n"
+                  "coordinates against exact numbers where the domain is convex, elsewhere with\n"
+                  "mean value coordinates against numbers of 100 digits",
+                  "bracket.cgb --samples 100");
   add_input(command, options.patch);
   command
       .add_option("--samples", options.samples,
@@ -284,9 +306,11 @@ void add_output(CLI::App& command, std::string& output) {
 }
 
 void add_convert_command(CLI::App& app, Convert_options& options) {
-  CLI::App& command = *app.add_subcommand(
-      "convert", "write a patch in another format; a .patch.json file holds patches of every\n"
-                 "type with all their options");
+  CLI::App& command =
+      add_command(app, "convert",
+                  "write a patch in another format; a .patch.json file holds patches of every\n"
+                  "type with all their options",
+                  "net.gbp net.patch.json");
   command.add_option("INPUT", options.input, patch_help)->required();
   command
       .add_option("OUTPUT", options.output,
@@ -300,9 +324,11 @@ void add_convert_command(CLI::App& app, Convert_options& options) {
 }
 
 void add_elevate_command(CLI::App& app, Elevate_options& options) {
-  CLI::App& command = *app.add_subcommand(
-      "elevate", "raise degrees, and numbers of layers of ribbons; what the boundary determines\n"
-                 "stays");
+  CLI::App& command =
+      add_command(app, "elevate",
+                  "raise degrees, and numbers of layers of ribbons; what the boundary determines\n"
+                  "stays",
+                  "bracket.cgb -o richer.cgb --degree 5 --layers 3");
   command.add_option("INPUT", options.input, patch_help)->required();
   add_output(command, options.output);
   command
@@ -319,8 +345,9 @@ void add_elevate_command(CLI::App& app, Elevate_options& options) {
 }
 
 void add_merge_command(CLI::App& app, Merge_options& options) {
-  CLI::App& command = *app.add_subcommand(
-      "merge", "make one patch of the ribbons around two that share boundary curves");
+  CLI::App& command = add_command(
+      app, "merge", "make one patch of the ribbons around two that share boundary curves",
+      "left.cgb right.cgb -o both.cgb");
   command.add_option("A", options.input_a, patch_help)->required();
   command.add_option("B", options.input_b, "another one")->required();
   command
@@ -380,6 +407,8 @@ int main(int argc, char* argv[]) {
     report_error(error.what());
     std::cerr << "Run with --help for more information.\n";
     return wrong_usage;
+  } catch (const Interrupted& interrupted) {
+    return signalled + interrupted.signal;
   } catch (const std::bad_alloc&) {
     return report_error("not enough memory");
   } catch (const std::exception& error) {

@@ -14,7 +14,16 @@ namespace MP = CGAL::Multisided_patches;
 
 namespace {
 
-MP::Mesh_density density(const Mesh_options& options) {
+// Throws if a file of this name must not be written, or cannot be.
+void check_output(const std::string& output, const std::vector<std::string>& inputs) {
+  for (const std::string& input : inputs)
+    MP::internal::check_different(output, input);
+  MP::internal::check_writable(output);
+}
+
+} // namespace
+
+MP::Mesh_density wanted_density(const Mesh_options& options) {
   constexpr std::size_t default_triangles = 10000;
   std::optional<MP::Mesh_density> wanted;
   const auto add = [&](const MP::Mesh_density& other) {
@@ -30,24 +39,23 @@ MP::Mesh_density density(const Mesh_options& options) {
                 : MP::Mesh_density::triangles(options.triangles.value_or(default_triangles));
 }
 
-// Throws if a file of this name must not be written, or cannot be.
-void check_output(const std::string& output, const std::vector<std::string>& inputs) {
-  for (const std::string& input : inputs)
-    MP::internal::check_different(output, input);
-  MP::internal::check_writable(output);
+void require_sound(bool is_sound, const std::string& output) {
+  if (!is_sound)
+    throw MP::Numerical_error(output + ": the mesh came out torn; this is a defect of the "
+                                       "program, please report it");
 }
 
-} // namespace
-
 void require_sound(bool is_sound, const Mesh_options& options) {
-  if (!is_sound)
-    throw MP::Numerical_error(options.output + ": the mesh came out torn; this is a defect of the "
-                                               "program, please report it");
+  require_sound(is_sound, options.output);
 }
 
 void mesh_command(const Mesh_options& options) {
+  if (!options.batch.directory.empty()) {
+    batch_command(options);
+    return;
+  }
   // What cannot succeed fails before the work, not after it.
-  Mesh_job job{options, density(options), Stage_clock(options.quiet)};
+  Mesh_job job{options, wanted_density(options), Stage_clock(options.quiet)};
   MP::IO::mesh_format(options.output);
   job.models = job.clock.run(
       "reading", [&] { return read_models(options.patch, options.inputs, options.quiet); });

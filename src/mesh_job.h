@@ -12,6 +12,7 @@
 
 #include <CGAL/Multisided_patches/meshing/Mesh_density.h>
 
+#include <string>
 #include <vector>
 
 namespace multipatch {
@@ -28,7 +29,11 @@ struct Mesh_job {
 void mesh_patch(Mesh_job& job);
 void mesh_complex(Mesh_job& job);
 
+// What the options say about it.
+CGAL::Multisided_patches::Mesh_density wanted_density(const Mesh_options& options);
+
 // Throws if a mesh is not what it must be.
+void require_sound(bool is_sound, const std::string& output);
 void require_sound(bool is_sound, const Mesh_options& options);
 
 } // namespace multipatch

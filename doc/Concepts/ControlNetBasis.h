@@ -25,12 +25,21 @@ public:
   std::size_t size() const;
 
   /*!
+   * memory that evaluation needs, default constructible. One object serves for one point after the
+   * other, so that memory is allocated once, but not for several threads at a time.
+   */
+  template <typename T>
+  using Workspace = unspecified_type;
+
+  /*!
    * writes the weights of all control points to `weights[0]`, …, `weights[size() - 1]`. They sum
    * to 1.
    *
    * \tparam T the number type, a `Jet_2`: with the coordinates their derivatives come along, and so
    * come those of the weights. Any number type that the coordinates can be computed in has to do;
-   * with an exact one the weights are exact.
+   * with an exact one the weights are exact. So does a pack of several numbers of type `double`,
+   * `internal::Number_pack`, with which several points are evaluated at once: what depends on a
+   * comparison is chosen by `internal::select()`, for each point of its own.
    * \tparam Domain a `Polygonal_domain_2`
    *
    * \param domain the domain, which says what the neighbours of a side are
@@ -41,6 +50,10 @@ public:
    */
   template <typename T, typename Domain>
   void evaluate(const Domain& domain, const T* lambda, T* weights) const;
+
+  //! the same with memory of the caller's
+  template <typename T, typename Domain>
+  void evaluate(const Domain& domain, const T* lambda, T* weights, Workspace<T>& workspace) const;
 
   /*!
    * the sum of all control points times their weights: what `evaluate()` and a product give, up to
@@ -56,4 +69,9 @@ public:
   template <typename T, typename Domain, typename Point>
   std::array<T, 3> combine(const Domain& domain, const T* lambda,
                            const std::vector<Point>& control_net) const;
+
+  //! the same with memory of the caller's
+  template <typename T, typename Domain, typename Point>
+  std::array<T, 3> combine(const Domain& domain, const T* lambda,
+                           const std::vector<Point>& control_net, Workspace<T>& workspace) const;
 };

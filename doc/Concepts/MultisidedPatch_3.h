@@ -42,4 +42,16 @@ public:
   std::pair<Point_3, Vector_3>
   point_and_normal(const Point_2& uv,
                    const Polygonal_domain_2<Geom_traits>::Location& location) const;
+
+  /*!
+   * writes what `point_and_normal()` gives for many points to `out`, in order, and returns one past
+   * the last element written. Optional: it need not be there, but may be faster.
+   *
+   * \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`; the result must not depend on it
+   * \tparam PointRange, LocationRange random access ranges of the same size
+   */
+  template <typename ConcurrencyTag, typename PointRange, typename LocationRange,
+            typename OutputIterator>
+  OutputIterator points_and_normals(const PointRange& points, const LocationRange& locations,
+                                    OutputIterator out) const;
 };
