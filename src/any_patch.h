@@ -10,8 +10,12 @@
 
 #include <CGAL/Multisided_patches/Jet_2.h>
 #include <CGAL/Multisided_patches/domains/make_domain.h>
+#include <CGAL/Multisided_patches/internal/for_each_index.h>
 #include <CGAL/Multisided_patches/ribbons/Ribbon_loop_3.h>
 
+#include <boost/range/iterator_range.hpp>
+
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <memory>
@@ -62,6 +66,22 @@ public:
   Vector_3 normal(const Point_2& uv, const Location& location) const {
     return point_and_normal(uv, location).second;
   }
+  template <typename ConcurrencyTag, typename Points, typename Locations, typename Iterator>
+  Iterator points_and_normals(const Points& points, const Locations& locations,
+                              Iterator out) const {
+    constexpr std::size_t block = 256; // takes far longer than handing it to a thread
+    const std::size_t n = points.size();
+    CGAL::Multisided_patches::internal::for_each_index<ConcurrencyTag>(
+        (n + block - 1) / block,
+        [&](std::size_t b) {
+          const std::size_t first = b * block, count = (std::min)(block, n - first);
+          std::array<Point_and_normal, block> results;
+          patch_->points_and_normals(&points[first], &locations[first], count, results.data());
+          std::copy_n(results.begin(), count, out + first);
+        },
+        1);
+    return out + n;
+  }
   // By the formula of the patch, on the boundary, too.
   template <int Order>
   Surface_jet<Order> evaluate(const Point_2& uv, const Location& location) const {
@@ -70,6 +90,8 @@ public:
   }
 
 private:
+  using Point_and_normal = std::pair<Point_3, Vector_3>;
+
   struct Interface {
     virtual ~Interface() = default;
     virtual const Loop& loop() const = 0;
@@ -77,6 +99,8 @@ private:
     virtual Point_3 point(const Point_2& uv, const Location& location) const = 0;
     virtual std::pair<Point_3, Vector_3> point_and_normal(const Point_2& uv,
                                                           const Location& location) const = 0;
+    virtual void points_and_normals(const Point_2* points, const Location* locations,
+                                    std::size_t count, Point_and_normal* results) const = 0;
     virtual Surface_jet<2> second_order(const Point_2& uv, const Location& location) const = 0;
   };
 
@@ -91,6 +115,12 @@ private:
     std::pair<Point_3, Vector_3> point_and_normal(const Point_2& uv,
                                                   const Location& location) const override {
       return patch_.point_and_normal(uv, location);
+    }
+    void points_and_normals(const Point_2* points, const Location* locations, std::size_t count,
+                            Point_and_normal* results) const override {
+      patch_.template points_and_normals<CGAL::Sequential_tag>(
+          boost::make_iterator_range(points, points + count),
+          boost::make_iterator_range(locations, locations + count), results);
     }
     Surface_jet<2> second_order(const Point_2& uv, const Location& location) const override {
       return patch_.template evaluate<2>(uv, location);

@@ -35,6 +35,7 @@
 #include <CGAL/Multisided_patches/patches/Bezier_triangle_3.h>
 #include <CGAL/Multisided_patches/patches/Concave_bezier_patch_3.h>
 #include <CGAL/Multisided_patches/patches/Generalized_bezier_patch_3.h>
+#include <CGAL/Multisided_patches/patches/Patch_evaluator.h>
 #include <CGAL/Multisided_patches/patches/S_patch_3.h>
 #include <CGAL/Multisided_patches/patches/Surface_geometry_3.h>
 #include <CGAL/Multisided_patches/patches/Tensor_product_patch_3.h>

@@ -33,7 +33,9 @@ public:
   static constexpr std::size_t size = (order + 1) * (order + 2) / 2;
 
   //! the constant 0
-  Jet_2() { data_.fill(FT(0)); } // FT() need not be 0, as for CGAL's lazy numbers
+  Jet_2() { // FT() need not be 0, as for CGAL's lazy numbers
+    for_each_entry([&](std::size_t i) { data_[i] = FT(0); });
+  }
   //! a constant; its derivatives are 0
   Jet_2(const FT& constant) : Jet_2() { data_[0] = constant; }
 
@@ -49,27 +51,23 @@ public:
   const FT& value() const { return data_[0]; }
 
   Jet_2& operator+=(const Jet_2& b) {
-    for (std::size_t i = 0; i < size; ++i)
-      data_[i] += b[i];
+    for_each_entry([&](std::size_t i) { data_[i] += b[i]; });
     return *this;
   }
   Jet_2& operator-=(const Jet_2& b) {
-    for (std::size_t i = 0; i < size; ++i)
-      data_[i] -= b[i];
+    for_each_entry([&](std::size_t i) { data_[i] -= b[i]; });
     return *this;
   }
   Jet_2& operator*=(const Jet_2& b) { return *this = *this * b; }
   Jet_2& operator/=(const Jet_2& b) { return *this = *this / b; }
   Jet_2& operator*=(FT b) { // by value: b may be an entry of this jet
-    for (FT& x : data_)
-      x *= b;
+    for_each_entry([&](std::size_t i) { data_[i] *= b; });
     return *this;
   }
 
   friend Jet_2 operator-(const Jet_2& a) {
-    Jet_2 r;
-    for (std::size_t i = 0; i < size; ++i)
-      r[i] = -a[i];
+    Jet_2 r{Undefined()};
+    for_each_entry([&](std::size_t i) { r[i] = -a[i]; });
     return r;
   }
   friend Jet_2 operator+(Jet_2 a, const Jet_2& b) { return a += b; }
@@ -77,7 +75,7 @@ public:
   friend Jet_2 operator*(Jet_2 a, const FT& b) { return a *= b; }
   friend Jet_2 operator*(const FT& a, Jet_2 b) { return b *= a; }
   friend Jet_2 operator*(const Jet_2& a, const Jet_2& b) {
-    Jet_2 r;
+    Jet_2 r{Undefined()};
     r[0] = a[0] * b[0];
     if constexpr (order >= 1) {
       r[1] = a[1] * b[0] + a[0] * b[1];
@@ -94,7 +92,7 @@ public:
   //! \pre `b.value() != 0`
   friend Jet_2 operator/(const Jet_2& a, const Jet_2& b) {
     // From a = q b, differentiated; the value is a single, correctly rounded division.
-    Jet_2 q;
+    Jet_2 q{Undefined()};
     q[0] = a[0] / b[0];
     if constexpr (order >= 1) {
       q[1] = (a[1] - q[0] * b[1]) / b[0];
@@ -114,7 +112,7 @@ public:
    * g's value.
    */
   Jet_2 composed(const FT& f0, const FT& f1, const FT& f2) const {
-    Jet_2 r;
+    Jet_2 r{Undefined()};
     r[0] = f0;
     if constexpr (order >= 1) {
       r[1] = f1 * data_[1];
@@ -129,6 +127,24 @@ public:
   }
 
 private:
+  // A loop would not be unrolled at all levels of optimization.
+  template <typename Function>
+  static void for_each_entry(const Function& f) {
+    f(0);
+    if constexpr (order >= 1) {
+      f(1);
+      f(2);
+    }
+    if constexpr (order >= 2) {
+      f(3);
+      f(4);
+      f(5);
+    }
+  }
+
+  struct Undefined {};
+  explicit Jet_2(Undefined) {}
+
   static Jet_2 variable(const FT& x, std::size_t entry) {
     Jet_2 r(x);
     if (entry < size)
@@ -138,6 +154,18 @@ private:
 
   std::array<FT, size> data_;
 };
+
+/*!
+ * 1 / a, with a single division. \pre `a.value() != 0`
+ */
+template <typename FT, int Order>
+Jet_2<FT, Order> inverse(const Jet_2<FT, Order>& a) {
+  const FT f0 = FT(1) / a.value();
+  if constexpr (Order == 0)
+    return Jet_2<FT, Order>(f0);
+  const FT f1 = -f0 * f0;
+  return a.composed(f0, f1, FT(-2) * f0 * f1);
+}
 
 /*!
  * the non-negative square root. \pre `a.value() > 0`, or `a.value() == 0` and the order is 0

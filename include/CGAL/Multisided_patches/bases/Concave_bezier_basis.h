@@ -94,6 +94,17 @@ public:
   Central_weight central_weight() const { return central_weight_; }
   const Side_parameter_options& parameter_options() const { return parameter_options_; }
 
+  //! memory for evaluation, which may be used for one point after the other
+  template <typename T>
+  struct Workspace {
+#ifndef DOXYGEN_RUNNING
+    // All weights before they are divided by their sum.
+    internal::Ribbon_blending::Factors<T> ribbons;
+    boost::container::small_vector<T, 4> corners;
+    T central, sum;
+#endif
+  };
+
   /*!
    * computes all weights from barycentric coordinates.
    *
@@ -107,17 +118,22 @@ public:
    */
   template <typename T, typename Domain>
   void evaluate(const Domain& domain, const T* lambda, T* weights) const {
-    const Factors<T> factors = compute_factors(domain, lambda);
-    const T inverse = inverse_of_sum(factors);
-    for (const auto& side : factors.ribbons.sides)
-      for (const T& across : side.across) {
-        const T scaled = across * inverse;
-        for (const T& along : side.along)
-          *weights++ = along * scaled;
-      }
-    for (const T& corner : factors.corners)
-      *weights++ = corner * inverse;
-    *weights = factors.central * inverse;
+    Workspace<T> factors;
+    evaluate(domain, lambda, weights, factors);
+  }
+
+  //! the same with memory of the caller's
+  template <typename T, typename Domain>
+  void evaluate(const Domain& domain, const T* lambda, T* weights, Workspace<T>& factors) const {
+    compute_factors(domain, lambda, factors);
+    const T scale = internal::reciprocal(factors.sum);
+    for (T& across : factors.ribbons.across)
+      across *= scale;
+    blending_.for_each_weight(factors.ribbons,
+                              [&](std::size_t c, const T& weight) { weights[c] = weight; });
+    for (std::size_t c = 0; c < corners_.size(); ++c)
+      weights[corner_index(c)] = factors.corners[c] * scale;
+    weights[central_index()] = factors.central * scale;
   }
 
   /*!
@@ -135,13 +151,21 @@ public:
   template <typename T, typename Domain, typename Point>
   std::array<T, 3> combine(const Domain& domain, const T* lambda,
                            const std::vector<Point>& control_net) const {
+    Workspace<T> factors;
+    return combine(domain, lambda, control_net, factors);
+  }
+
+  //! the same with memory of the caller's
+  template <typename T, typename Domain, typename Point>
+  std::array<T, 3> combine(const Domain& domain, const T* lambda,
+                           const std::vector<Point>& control_net, Workspace<T>& factors) const {
     using FT = typename T::FT;
-    const Factors<T> factors = compute_factors(domain, lambda);
+    compute_factors(domain, lambda, factors);
     // As the weights sum to 1, any point may be the origin. Near a corner it has to be that corner:
     // the derivatives of its two weights grow without bound there, and only their sum does not.
-    const Point& origin = control_net[index(blending_.nearest_vertex(lambda), 0, 0)];
-    const std::array<FT, 3> o{FT(origin[0]), FT(origin[1]), FT(origin[2])};
-    std::array<T, 3> sum = Blending::combine(
+    const std::array<FT, 3> o = Blending::origin(factors.ribbons, control_net,
+                                                 [this](std::size_t i) { return index(i, 0, 0); });
+    std::array<T, 3> sum = blending_.combine(
         factors.ribbons, [&](std::size_t c) -> const Point& { return control_net[c]; }, o);
     const auto add = [&](const T& weight, const Point& point) {
       for (std::size_t c = 0; c < 3; ++c)
@@ -149,10 +173,11 @@ public:
     };
     for (std::size_t c = 0; c < corners_.size(); ++c)
       add(factors.corners[c], control_net[corner_index(c)]);
-    add(factors.central, control_net[central_index()]);
-    const T inverse = inverse_of_sum(factors);
+    if (central_weight_ != Central_weight::none)
+      add(factors.central, control_net[central_index()]);
+    const T scale = internal::reciprocal(factors.sum);
     for (std::size_t c = 0; c < 3; ++c)
-      sum[c] = sum[c] * inverse + T(o[c]);
+      sum[c] = sum[c] * scale + T(o[c]);
     return sum;
   }
 
@@ -165,22 +190,15 @@ private:
     return result;
   }
 
-  // All weights before they are divided by their sum.
-  template <typename T>
-  struct Factors {
-    Blending::Factors<T> ribbons;
-    boost::container::small_vector<T, 4> corners;
-    T central, sum;
-  };
-
   template <typename T, typename Domain>
-  Factors<T> compute_factors(const Domain& domain, const T* lambda) const {
+  void compute_factors(const Domain& domain, const T* lambda, Workspace<T>& factors) const {
     using FT = typename T::FT;
-    Factors<T> factors{blending_.evaluate(domain, lambda, parameter_options_), {}, T(), T()};
+    blending_.evaluate(domain, lambda, parameter_options_, factors.ribbons);
     T deficiency = factors.ribbons.deficiency;
-    for (const std::size_t i : corners_) {
-      factors.corners.push_back(corner_weight(factors.ribbons, i, domain.next(i)));
-      deficiency -= factors.corners.back();
+    factors.corners.resize(corners_.size());
+    for (std::size_t c = 0; c < corners_.size(); ++c) {
+      factors.corners[c] = corner_weight(factors.ribbons, corners_[c], domain.next(corners_[c]));
+      deficiency -= factors.corners[c];
     }
     factors.sum = T(FT(1));
     if (central_weight_ == Central_weight::weight_deficiency) {
@@ -189,12 +207,6 @@ private:
       factors.central = central_product<T>(domain, factors.ribbons.parameters);
       factors.sum += factors.central - deficiency;
     }
-    return factors;
-  }
-
-  template <typename T>
-  static T inverse_of_sum(const Factors<T>& factors) {
-    return T(typename T::FT(1)) / factors.sum;
   }
 
   // The weight of the extra control point where side `in` ends and side `out` starts.

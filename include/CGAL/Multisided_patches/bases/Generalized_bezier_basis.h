@@ -65,6 +65,10 @@ public:
   //! the index of the central control point
   std::size_t central_index() const { return central_index_; }
 
+  //! memory for evaluation, which may be used for one point after the other
+  template <typename T>
+  using Workspace = internal::Ribbon_blending::Factors<T>;
+
   /*!
    * computes all weights from barycentric coordinates.
    *
@@ -78,9 +82,16 @@ public:
    */
   template <typename T, typename Domain>
   void evaluate(const Domain& domain, const T* lambda, T* weights) const {
-    const Blending::Factors<T> factors = blending_.evaluate(domain, lambda, {});
+    Workspace<T> factors;
+    evaluate(domain, lambda, weights, factors);
+  }
+
+  //! the same with memory of the caller's
+  template <typename T, typename Domain>
+  void evaluate(const Domain& domain, const T* lambda, T* weights, Workspace<T>& factors) const {
+    blending_.evaluate(domain, lambda, {}, factors);
     std::fill(weights, weights + size(), T());
-    Blending::for_each_weight(
+    blending_.for_each_weight(
         factors, [&](std::size_t c, const T& weight) { weights[index_[c]] += weight; });
     weights[central_index_] = factors.deficiency;
   }
@@ -100,12 +111,20 @@ public:
   template <typename T, typename Domain, typename Point>
   std::array<T, 3> combine(const Domain& domain, const T* lambda,
                            const std::vector<Point>& control_net) const {
+    Workspace<T> factors;
+    return combine(domain, lambda, control_net, factors);
+  }
+
+  //! the same with memory of the caller's
+  template <typename T, typename Domain, typename Point>
+  std::array<T, 3> combine(const Domain& domain, const T* lambda,
+                           const std::vector<Point>& control_net, Workspace<T>& factors) const {
     using FT = typename T::FT;
-    const Blending::Factors<T> factors = blending_.evaluate(domain, lambda, {});
+    blending_.evaluate(domain, lambda, {}, factors);
     // As for the concave basis, the origin has to be the nearest corner.
-    const Point& origin = control_net[corner_index(blending_.nearest_vertex(lambda))];
-    const std::array<FT, 3> o{FT(origin[0]), FT(origin[1]), FT(origin[2])};
-    std::array<T, 3> sum = Blending::combine(
+    const std::array<FT, 3> o =
+        Blending::origin(factors, control_net, [this](std::size_t i) { return corner_index(i); });
+    std::array<T, 3> sum = blending_.combine(
         factors, [&](std::size_t c) -> const Point& { return control_net[index_[c]]; }, o);
     const Point& central = control_net[central_index_];
     for (std::size_t c = 0; c < 3; ++c)

@@ -6,6 +6,7 @@
 #ifndef CGAL_MULTISIDED_PATCHES_S_PATCH_BASIS_H
 #define CGAL_MULTISIDED_PATCHES_S_PATCH_BASIS_H
 
+#include <CGAL/Multisided_patches/internal/Number_pack.h>
 #include <CGAL/Multisided_patches/internal/bernstein.h>
 #include <CGAL/Multisided_patches/ribbons/internal/multi_index.h>
 
@@ -56,6 +57,14 @@ public:
   //! the number of weights, (n + d - 1 choose d)
   std::size_t size() const { return size_; }
 
+  //! memory for evaluation, which may be used for one point after the other
+  template <typename T>
+  struct Workspace {
+#ifndef DOXYGEN_RUNNING
+    boost::container::small_vector<T, 64> powers; // of all coordinates up to the depth
+#endif
+  };
+
   /*!
    * computes all weights from barycentric coordinates.
    *
@@ -69,9 +78,16 @@ public:
    */
   template <typename T, typename Domain>
   void evaluate(const Domain& domain, const T* lambda, T* weights) const {
+    Workspace<T> workspace;
+    evaluate(domain, lambda, weights, workspace);
+  }
+
+  //! the same with memory of the caller's
+  template <typename T, typename Domain>
+  void evaluate(const Domain& domain, const T* lambda, T* weights, Workspace<T>& workspace) const {
     CGAL_precondition(domain.size() == number_of_sides());
     CGAL_USE(domain);
-    for_each_weight(lambda, [&](const T& weight) { *weights++ = weight; });
+    for_each_weight(lambda, workspace, [&](const T& weight) { *weights++ = weight; });
   }
 
   /*!
@@ -90,6 +106,14 @@ public:
   template <typename T, typename Domain, typename Point>
   std::array<T, 3> combine(const Domain& domain, const T* lambda,
                            const std::vector<Point>& control_net) const {
+    Workspace<T> workspace;
+    return combine(domain, lambda, control_net, workspace);
+  }
+
+  //! the same with memory of the caller's
+  template <typename T, typename Domain, typename Point>
+  std::array<T, 3> combine(const Domain& domain, const T* lambda,
+                           const std::vector<Point>& control_net, Workspace<T>& workspace) const {
     using FT = typename internal::Scalar_of<T>::type;
     CGAL_precondition(domain.size() == number_of_sides() && control_net.size() == size());
     CGAL_USE(domain);
@@ -98,7 +122,7 @@ public:
     const std::array<FT, 3> o{FT(control_net[0][0]), FT(control_net[0][1]), FT(control_net[0][2])};
     std::array<T, 3> sum{T(o[0]), T(o[1]), T(o[2])};
     auto point = control_net.begin();
-    for_each_weight(lambda, [&](const T& weight) {
+    for_each_weight(lambda, workspace, [&](const T& weight) {
       for (std::size_t c = 0; c < 3; ++c)
         sum[c] += weight * FT(FT((*point)[c]) - o[c]);
       ++point;
@@ -107,32 +131,29 @@ public:
   }
 
 private:
-  // The powers of all coordinates up to the depth.
-  template <typename T>
-  using Powers = boost::container::small_vector<T, 64>;
-
   template <typename T, typename Function>
-  void for_each_weight(const T* lambda, const Function& function) const {
-    Powers<T> powers;
+  void for_each_weight(const T* lambda, Workspace<T>& workspace, const Function& function) const {
+    auto& powers = workspace.powers;
+    powers.clear();
     powers.reserve(sides_ * (depth_ + 1));
     for (std::size_t k = 0; k < sides_; ++k) {
       powers.push_back(T(1));
       for (std::size_t a = 1; a <= depth_; ++a)
         powers.push_back(a == 1 ? lambda[k] : T(powers.back() * lambda[k]));
     }
-    for_each_weight(powers, 0, depth_, T(1), function);
+    for_each_weight(powers.data(), 0, depth_, T(1), function);
   }
 
   // The weights of all indices with the same entries before the k-th one, and the sum `rest` from
   // there on; `factor` is what those entries contribute. A multinomial coefficient is the product
   // of binomial ones, (rest choose entry).
   template <typename T, typename Function>
-  void for_each_weight(const Powers<T>& powers, std::size_t k, std::size_t rest, const T& factor,
+  void for_each_weight(const T* powers, std::size_t k, std::size_t rest, const T& factor,
                        const Function& function) const {
     using Scalar = typename internal::Scalar_of<T>::type;
     if (rest == 0)
       return function(factor);
-    const T* power = powers.data() + k * (depth_ + 1);
+    const T* power = powers + k * (depth_ + 1);
     if (k + 1 == sides_)
       return function(T(factor * power[rest]));
     Scalar binomial(1);

@@ -6,6 +6,8 @@
 #ifndef CGAL_MULTISIDED_PATCHES_BARYCENTRIC_SIDE_PARAMETERS_H
 #define CGAL_MULTISIDED_PATCHES_BARYCENTRIC_SIDE_PARAMETERS_H
 
+#include <CGAL/Multisided_patches/internal/Number_pack.h>
+
 #include <boost/container/small_vector.hpp>
 
 #include <cstddef>
@@ -114,16 +116,19 @@ template <typename T>
 void set_s(const T& start, const T& end, Side_parameter<T>& parameter) {
   using FT = typename T::FT;
   const T sum = start + end;
-  if (sum.value() == FT(0)) {
-    parameter.s = limit_of_s(end, sum);
-    parameter.one_minus_s = T(FT(1)) - parameter.s;
-  } else if (end.value() < start.value()) {
-    // The larger quotient is taken from the smaller one, as its derivatives would cancel.
-    parameter.s = end / sum;
-    parameter.one_minus_s = T(FT(1)) - parameter.s;
-  } else {
-    parameter.one_minus_s = start / sum;
-    parameter.s = T(FT(1)) - parameter.one_minus_s;
+  const auto nearer_to_start = end.value() < start.value();
+  const auto vanishes = sum.value() == FT(0);
+  // The larger quotient is taken from the smaller one, as its derivatives would cancel.
+  const T quotient =
+      select(nearer_to_start, end, start) / (any(vanishes) ? select(vanishes, T(FT(1)), sum) : sum);
+  const T rest = T(FT(1)) - quotient;
+  parameter.s = select(nearer_to_start, quotient, rest);
+  parameter.one_minus_s = select(nearer_to_start, rest, quotient);
+  if (any(vanishes)) {
+    for (std::size_t l = 0; l < lanes_of<FT>; ++l)
+      if (holds(vanishes, l))
+        set_lane(parameter.s, l, limit_of_s(lane(end, l), lane(sum, l)));
+    parameter.one_minus_s = select(vanishes, T(FT(1)) - parameter.s, parameter.one_minus_s);
   }
 }
 

@@ -145,9 +145,6 @@ private:
         return false;
       progress(mesh_.points.size());
     }
-    while (halver.are_samples_left())
-      if (!halver.halve(2, 1))
-        return false;
     start_with(halver.triangles());
     refiner_->smooth_where_sharp(sharp_sweeps);
     return true;
@@ -198,12 +195,13 @@ private:
     return result;
   }
 
-  // Takes the vertices of the domain and about every `step`-th sample on its sides.
+  // Takes the vertices of the domain, and of the samples on its sides as many as it needs for no
+  // more than `step` segments from one to the next.
   void choose_samples(const Side_parameters& sides, std::size_t step) {
     segments_.clear();
     for (const std::vector<double>& side : sides) {
       const std::size_t first = segments_.size(), all = side.size() + 1,
-                        parts = (std::max)(std::size_t(1), all / step);
+                        parts = (all + step - 1) / step;
       segments_.resize(first + all, 0);
       for (std::size_t k = 0; k < parts; ++k)
         segments_[first + k * all / parts] = (k + 1) * all / parts - k * all / parts;

@@ -38,11 +38,6 @@ public:
 
   const std::vector<Linked_triangle>& triangles() const { return triangles_; }
 
-  // Whether there are samples that the triangles do not have yet.
-  bool are_samples_left() const {
-    return std::any_of(segments_.begin(), segments_.end(), [](std::size_t m) { return m > 1; });
-  }
-
   // Halves the edges whose length in the metric is `length` or not much less, and those on sides
   // if they have more than `max_segments`. Returns false, and is of no use any more, if rounding
   // has put points where triangles are not positively oriented.
@@ -71,6 +66,9 @@ private:
   // the business of the first one.
   void find_middles(double max_squared_length, std::size_t max_segments) {
     middles_.assign(triangles_.size(), {none, none, none});
+    std::vector<char> is_narrow(triangles_.size());
+    for (std::size_t t = 0; t < triangles_.size(); ++t)
+      is_narrow[t] = this->is_narrow(triangles_[t]);
     for (std::size_t t = 0; t < triangles_.size(); ++t)
       for (int i = 0; i < 3; ++i) {
         const std::size_t neighbor = triangles_[t].neighbors[i],
@@ -80,7 +78,7 @@ private:
           middles_[t][i] = middle_of_side(a, max_segments);
         else if (neighbor < t)
           middles_[t][i] = middles_[neighbor][opposite(triangles_[neighbor], t)];
-        else if (squared_length(a, b) > max_squared_length && !is_narrow(t) && !is_narrow(neighbor))
+        else if (squared_length(a, b) > max_squared_length && !is_narrow[t] && !is_narrow[neighbor])
           middles_[t][i] = add_middle(a, b);
       }
   }
@@ -95,9 +93,9 @@ private:
   }
 
   // Whether the middles of edges would be too close to the other sides of a triangle.
-  bool is_narrow(std::size_t t) const {
+  bool is_narrow(const Linked_triangle& t) const {
     constexpr double least_height = 0.9;
-    const auto& v = triangles_[t].vertices;
+    const auto& v = t.vertices;
     const Metric_triangle triangle(
         {to_uv(points_[v[0]]), to_uv(points_[v[1]]), to_uv(points_[v[2]])},
         1. / 3 * (metric_[v[0]] + metric_[v[1]] + metric_[v[2]]));

@@ -7,6 +7,7 @@
 #define CGAL_MULTISIDED_PATCHES_MESHING_INTERNAL_MESH_BUILDER_H
 
 #include <CGAL/Multisided_patches/errors.h>
+#include <CGAL/Multisided_patches/internal/check_finite.h>
 #include <CGAL/Multisided_patches/internal/for_each_index.h>
 #include <CGAL/Multisided_patches/internal/vector_utils.h>
 #include <CGAL/Multisided_patches/meshing/Domain_mesh_2.h>
@@ -20,6 +21,7 @@
 #include <CGAL/boost/graph/properties.h>
 
 #include <boost/functional/hash.hpp>
+#include <boost/range/iterator_range.hpp>
 
 #include <algorithm>
 #include <array>
@@ -38,8 +40,15 @@ namespace internal {
 // What becomes of a vertex of a domain mesh.
 template <typename Traits>
 struct Surface_vertex {
-  typename Traits::Point_3 point;
-  typename Traits::Vector_3 normal; // of unit length, or 0
+  using Point_3 = typename Traits::Point_3;
+  using Vector_3 = typename Traits::Vector_3;
+
+  Surface_vertex() = default;
+  Surface_vertex(std::pair<Point_3, Vector_3> point_and_normal)
+      : point(std::move(point_and_normal.first)), normal(std::move(point_and_normal.second)) {}
+
+  Point_3 point;
+  Vector_3 normal; // of unit length, or 0
 };
 
 // A patch with the mesh of its domain and the vertices of that on the surface.
@@ -51,6 +60,24 @@ struct Patch_mesh {
   const Domain_mesh_2<Traits>* domain_mesh = nullptr;
   std::vector<Surface_vertex<Traits>> vertices;
 };
+
+// `patch.points_and_normals()`, which a patch need not have.
+template <typename ConcurrencyTag, typename Patch, typename Points, typename Locations,
+          typename Iterator>
+auto evaluate_points_and_normals(const Patch& patch, const Points& points,
+                                 const Locations& locations, Iterator out, int)
+    -> decltype(patch.template points_and_normals<ConcurrencyTag>(points, locations, out)) {
+  return patch.template points_and_normals<ConcurrencyTag>(points, locations, out);
+}
+template <typename ConcurrencyTag, typename Patch, typename Points, typename Locations,
+          typename Iterator>
+Iterator evaluate_points_and_normals(const Patch& patch, const Points& points,
+                                     const Locations& locations, Iterator out, long) {
+  for_each_index<ConcurrencyTag>(points.size(), [&](std::size_t k) {
+    out[k] = patch.point_and_normal(points[k], locations[k]);
+  });
+  return out + points.size();
+}
 
 // Evaluates a patch at the vertices of a mesh of its domain.
 template <typename ConcurrencyTag, typename Patch, typename Visitor>
@@ -65,16 +92,15 @@ Patch_mesh<Patch> evaluate_vertices(const Patch& patch,
   constexpr std::size_t block = 1 << 14;
   for (std::size_t first = 0; first < n; first += block) {
     report_progress(visitor, Tessellation_stage::evaluation, first, n);
-    for_each_index<ConcurrencyTag>((std::min)(block, n - first), [&](std::size_t k) {
-      const auto [point, normal] =
-          patch.point_and_normal(mesh.points[first + k], mesh.locations[first + k]);
-      result.vertices[first + k] = {point, normal};
-    });
-    for (std::size_t k = first; k < (std::min)(n, first + block); ++k) {
-      const auto& p = result.vertices[k].point;
-      if (!CGAL::is_finite(p.x()) || !CGAL::is_finite(p.y()) || !CGAL::is_finite(p.z()))
+    const std::size_t end = (std::min)(n, first + block);
+    const auto range = [&](const auto& values) {
+      return boost::make_iterator_range(values.begin() + first, values.begin() + end);
+    };
+    evaluate_points_and_normals<ConcurrencyTag>(patch, range(mesh.points), range(mesh.locations),
+                                                result.vertices.begin() + first, 0);
+    for (std::size_t k = first; k < end; ++k)
+      if (!has_finite_coordinates(result.vertices[k].point))
         throw Numerical_error("the surface is not finite at " + text_of_parameters(mesh.points[k]));
-    }
   }
   return result;
 }

@@ -8,12 +8,14 @@
 
 #include <CGAL/Multisided_patches/domains/make_domain.h>
 #include <CGAL/Multisided_patches/errors.h>
+#include <CGAL/Multisided_patches/internal/Number_pack.h>
 #include <CGAL/Multisided_patches/patches/internal/Patch_base.h>
 
 #include <CGAL/assertions.h>
 
 #include <boost/container/small_vector.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <string>
@@ -53,6 +55,11 @@ public:
   const Domain_report& domain_report() const { return domain_report_; }
   const Coordinates& coordinates() const { return coordinates_; }
   const Basis& basis() const { return basis_; }
+  //! control point `c` in the order of the basis. \pre `c < basis().size()`
+  Point_3 control_point(std::size_t c) const {
+    CGAL_precondition(c < control_net_.size());
+    return Point_3(control_net_[c][0], control_net_[c][1], control_net_[c][2]);
+  }
 
   using Base::evaluate;
 
@@ -101,6 +108,49 @@ public:
   Surface_jet<Order, Real> combine(const Jet_2<Real, Order>* lambda) const {
     return basis_.combine(domain(), lambda, control_net_);
   }
+
+#ifndef DOXYGEN_RUNNING
+  // Called by the base class: f(k, jets) for the points k = 0, ..., count - 1, as evaluate() has
+  // them, with the points `point_of(k)` at `location_of(k)`. In `double` several points take the
+  // same steps at once.
+  template <int Order, typename PointOf, typename LocationOf, typename Function>
+  void evaluate_block(std::size_t count, const PointOf& point_of, const LocationOf& location_of,
+                      const Function& f) const {
+    using Number = std::conditional_t<std::is_same_v<FT, double>, Number_pack, FT>;
+    using Jet = Jet_2<Number, Order>;
+    typename Basis::template Workspace<Jet> workspace;
+    for_each_pack<Order, Number>(
+        count, point_of, location_of, [&](std::size_t first, std::size_t last, const Jet* lambda) {
+          const auto surface = basis_.combine(domain(), lambda, control_net_, workspace);
+          for (std::size_t k = first; k < last; ++k)
+            f(k, Surface_jet<Order>{lane(surface[0], k - first), lane(surface[1], k - first),
+                                    lane(surface[2], k - first)});
+        });
+  }
+
+  // Calls f(first, last, lambda) with the coordinates of the points k = first, ..., last - 1, as
+  // many as `Number` has lanes, for one such group after the other. In a last group that is smaller
+  // the other lanes are those of its last point.
+  template <int Order, typename Number, typename PointOf, typename LocationOf, typename Function>
+  void for_each_pack(std::size_t count, const PointOf& point_of, const LocationOf& location_of,
+                     const Function& f) const {
+    constexpr std::size_t lanes = lanes_of<Number>;
+    const std::size_t n = domain().size();
+    boost::container::small_vector<Jet_2<FT, Order>, 32> at_point(n);
+    boost::container::small_vector<Jet_2<Number, Order>, 32> lambda(n);
+    for (std::size_t first = 0; first < count; first += lanes) {
+      const std::size_t last = (std::min)(first + lanes, count);
+      for (std::size_t l = 0; l < lanes; ++l) {
+        if (first + l < last)
+          coordinates_.template evaluate<Order>(point_of(first + l), location_of(first + l),
+                                                at_point.data());
+        for (std::size_t i = 0; i < n; ++i)
+          set_lane(lambda[i], l, at_point[i]);
+      }
+      f(first, last, lambda.data());
+    }
+  }
+#endif
 
 protected:
   // `control_points` has the points in the order of the basis.

@@ -1,0 +1,235 @@
+// Copyright (c) 2026 The CGAL Multisided Patches project.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_MULTISIDED_PATCHES_PATCHES_INTERNAL_WEIGHT_BLOCK_H
+#define CGAL_MULTISIDED_PATCHES_PATCHES_INTERNAL_WEIGHT_BLOCK_H
+
+#include <CGAL/Multisided_patches/internal/Number_pack.h>
+#include <CGAL/Multisided_patches/internal/vector_utils.h>
+#include <CGAL/Multisided_patches/patches/internal/surface_derivatives.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Multisided_patches {
+namespace internal {
+
+// The weights of control points at a few consecutive samples of a surface, and the products of
+// weights and control points: points, and with order 1 first derivatives and normals. Weights of
+// one control point are next to each other; control points without influence here have none.
+//
+// Storage is the number type of the weights, `double` or `float`; everything else is in `double`.
+template <typename Storage, int Order>
+class Weight_block {
+public:
+  static constexpr std::size_t samples = 64;
+  // of a weight: its value and, with order 1, the derivatives by u and v
+  static constexpr std::size_t parts = Jet_2<double, Order>::size;
+  static constexpr std::size_t row = parts * samples;
+
+  // `dense` has, for one control point after the other, the values at all samples, and then the
+  // derivatives; 0 at samples that there are not.
+  void set_weights(const std::vector<double>& dense) {
+    const std::size_t size = dense.size() / row;
+    std::size_t count = 0;
+    const auto has_influence = [&](std::size_t c) {
+      return std::any_of(&dense[c * row], &dense[c * row] + row, [](double w) { return w != 0; });
+    };
+    std::vector<bool> needed(size);
+    for (std::size_t c = 0; c < size; ++c) {
+      needed[c] = has_influence(c);
+      count += needed[c] ? 1 : 0;
+    }
+    points_.reserve(count);
+    weights_.reserve(count * row);
+    double largest = -1;
+    for (std::size_t c = 0; c < size; ++c)
+      if (needed[c]) {
+        points_.push_back(static_cast<std::uint32_t>(c));
+        for (std::size_t k = 0; k < row; ++k) {
+          const double w = dense[c * row + k];
+          weights_.push_back(static_cast<Storage>(w));
+          if (std::abs(w) > largest) {
+            largest = std::abs(w);
+            origin_ = c;
+          }
+        }
+      }
+  }
+
+  std::size_t number_of_weights() const { return weights_.size(); }
+  std::size_t number_of_bytes() const {
+    return sizeof(*this) + weights_.capacity() * sizeof(Storage) +
+           points_.capacity() * sizeof(std::uint32_t);
+  }
+
+  // Computes everything from the control net.
+  //
+  // As the weights sum to 1, any point may be the origin. Near a corner the derivatives of some
+  // weights are large, and only their sum is not; so it is the point that has the largest.
+  void compute(const std::vector<std::array<double, 3>>& net) {
+    const std::array<double, 3> o = net[origin_];
+    for (std::size_t part = 0; part < parts; ++part)
+      for (std::size_t c = 0; c < 3; ++c)
+        std::fill_n(result(part, c), samples, part == 0 ? o[c] : 0.0);
+    constexpr std::size_t together = 4;
+    std::array<const Storage*, together> weights;
+    std::array<std::array<double, 3>, together> offsets;
+    for (std::size_t e = 0; e < points_.size(); e += together) {
+      for (std::size_t i = 0; i < together; ++i) {
+        // Beyond the last point: any weights, times 0.
+        const bool exists = e + i < points_.size();
+        weights[i] = &weights_[(exists ? e + i : e) * row];
+        const std::array<double, 3>& p = exists ? net[points_[e + i]] : o;
+        offsets[i] = {p[0] - o[0], p[1] - o[1], p[2] - o[2]};
+      }
+      add(weights, offsets, std::make_index_sequence<together>());
+    }
+    set_normals();
+  }
+
+  // Adds what changes if control points move: those with the given indices, in ascending order, by
+  // `motion[index]`.
+  void move(const std::vector<std::size_t>& indices,
+            const std::vector<std::array<double, 3>>& motion) {
+    bool changed = false;
+    for (const std::size_t c : indices) {
+      const auto found = std::lower_bound(points_.begin(), points_.end(), c);
+      if (found == points_.end() || *found != c)
+        continue;
+      changed = true;
+      const auto e = static_cast<std::size_t>(found - points_.begin());
+      add({&weights_[e * row]}, {motion[c]}, std::index_sequence<0>());
+    }
+    if (changed)
+      set_normals();
+  }
+
+  // coordinate `c` of a point, part 0, or a derivative, parts 1 and 2
+  double value(std::size_t part, std::size_t c, std::size_t sample) const {
+    return results_[(part * 3 + c) * samples + sample];
+  }
+  // pre: order 1
+  Vec3 normal(std::size_t sample) const {
+    return {value(parts, 0, sample), value(parts, 1, sample), value(parts, 2, sample)};
+  }
+
+private:
+  double* result(std::size_t part, std::size_t c) { return &results_[(part * 3 + c) * samples]; }
+
+  // Adds the products of a few control points with their weights.
+  template <std::size_t... I>
+  void add(const std::array<const Storage*, sizeof...(I)>& weights,
+           const std::array<std::array<double, 3>, sizeof...(I)>& points,
+           std::index_sequence<I...>) {
+    const Number_pack px[] = {points[I][0]...}, py[] = {points[I][1]...}, pz[] = {points[I][2]...};
+    for (std::size_t part = 0; part < parts; ++part) {
+      double *const x = result(part, 0), *const y = result(part, 1), *const z = result(part, 2);
+      for (std::size_t k = 0; k < samples; k += Number_pack::lanes) {
+        auto sx = Number_pack::load(x + k), sy = Number_pack::load(y + k),
+             sz = Number_pack::load(z + k);
+        const auto add_one = [&](std::size_t i) {
+          const auto w = Number_pack::load(weights[i] + part * samples + k);
+          sx += w * px[i];
+          sy += w * py[i];
+          sz += w * pz[i];
+        };
+        if constexpr (sizeof...(I) > 1)
+          if (k % steps_per_line == 0)
+            prefetch(weights[0], (part * samples + k) * sizeof...(I));
+        (add_one(I), ...); // a loop would not be unrolled at all levels of optimization
+        sx.store(x + k);
+        sy.store(y + k);
+        sz.store(z + k);
+      }
+    }
+  }
+
+  // Rows that are read side by side are streams that processors do not foresee. So what follows in
+  // memory is asked for, one cache line after the other, while the rows before it are used.
+  static constexpr std::size_t steps_per_line =
+      Number_pack::lanes * (sizeof(double) / sizeof(Storage));
+  static void prefetch(const Storage* rows, std::size_t offset) {
+    constexpr std::size_t distance = 8192; // bytes; what memory delivers while 4 rows are used
+    prefetch_byte(rows, offset * sizeof(Storage) + distance);
+  }
+  // The results of the next block, if blocks are elements of an array.
+  void prefetch_next_results(std::size_t sample) const {
+    constexpr std::size_t share = sizeof(results_) / samples * Number_pack::lanes;
+    for (std::size_t byte = 0; byte < share; byte += 64)
+      prefetch_byte(&results_, sizeof(*this) + sample / Number_pack::lanes * share + byte);
+  }
+  static void prefetch_byte([[maybe_unused]] const void* start,
+                            [[maybe_unused]] std::size_t offset) {
+#ifdef __GNUC__
+    // An address, which may be past the end.
+    __builtin_prefetch(
+        reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(start) + offset));
+#endif
+  }
+
+  void set_normals() {
+    if constexpr (Order >= 1)
+      for (std::size_t k = 0; k < samples; k += Number_pack::lanes) {
+        prefetch_next_results(k);
+        const auto u = pack(1, k), v = pack(2, k);
+        const std::array<Number_pack, 3> n{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+                                           u[0] * v[1] - u[1] * v[0]};
+        const Number_pack nn = square(n), uu = square(u), vv = square(v);
+        const Number_pack inverse = Number_pack(1) / sqrt(nn);
+        for (std::size_t c = 0; c < 3; ++c)
+          (n[c] * inverse).store(result(parts, c) + k);
+        // Far from where derivatives are too large, too small or too parallel.
+        const Number_pack least = select(uu < vv, uu, vv), most = select(uu < vv, vv, uu);
+        if (any(nn < uu * vv * 1e-12) || any(least <= most * 1e-20) || any(nn <= 1e-200) ||
+            any(1e200 <= most * most) || any_is_undefined(nn))
+          set_normals_with_care(k);
+      }
+  }
+
+  static bool any_is_undefined(const Number_pack& x) {
+    return !(x[0] == x[0] && x[1] == x[1]);
+  }
+
+  std::array<Number_pack, 3> pack(std::size_t part, std::size_t k) {
+    return {Number_pack::load(result(part, 0) + k), Number_pack::load(result(part, 1) + k),
+            Number_pack::load(result(part, 2) + k)};
+  }
+
+  static Number_pack square(const std::array<Number_pack, 3>& v) {
+    return v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+  }
+
+  // of the samples of a pack
+  void set_normals_with_care(std::size_t first) {
+    for (std::size_t k = first; k < first + Number_pack::lanes; ++k) {
+      const Vec3 n = tangent_plane_normal(derivative(1, k), derivative(2, k));
+      for (std::size_t c = 0; c < 3; ++c)
+        result(parts, c)[k] = n[c];
+    }
+  }
+
+  Vec3 derivative(std::size_t part, std::size_t k) const {
+    return {value(part, 0, k), value(part, 1, k), value(part, 2, k)};
+  }
+
+  std::vector<std::uint32_t> points_; // the indices of those with influence, ascending
+  std::vector<Storage> weights_;      // `row` for each of them
+  std::size_t origin_ = 0;
+  // x, y and z for all samples of points, derivatives and normals
+  alignas(16) std::array<double, (parts + (Order >= 1 ? 1 : 0)) * 3 * samples> results_;
+};
+
+} // namespace internal
+} // namespace Multisided_patches
+} // namespace CGAL
+
+#endif // CGAL_MULTISIDED_PATCHES_PATCHES_INTERNAL_WEIGHT_BLOCK_H
