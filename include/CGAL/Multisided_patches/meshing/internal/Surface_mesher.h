@@ -16,6 +16,7 @@
 #include <CGAL/Multisided_patches/meshing/internal/Domain_mesher.h>
 #include <CGAL/Multisided_patches/meshing/internal/Refinement_outlook.h>
 #include <CGAL/Multisided_patches/meshing/internal/Scaled_surface.h>
+#include <CGAL/Multisided_patches/meshing/internal/Sharp_triangle_mender.h>
 #include <CGAL/Multisided_patches/meshing/internal/Surface_metric.h>
 #include <CGAL/Multisided_patches/meshing/internal/Uniform_metric.h>
 #include <CGAL/Multisided_patches/meshing/internal/edge_lengths.h>
@@ -112,7 +113,7 @@ public:
           (do_few_exceed(excess) && expected_triangles(next, sides) >=
                                         0.8 * static_cast<double>(sampled.triangles.size()))) {
         refine_where_exceeded(mesher, meter, sampled, excess);
-        return mesher.finish();
+        return mend_sharp_triangles(mesher.finish(), meter, sampled);
       }
       hints = vertex_hints(next, sides);
       metric = std::move(next);
@@ -307,6 +308,14 @@ private:
           failing.push_back(suspects[k]);
       outlook.update(sampled.triangles.size(), excess);
     }
+  }
+
+  Mesh mend_sharp_triangles(Mesh mesh, const Meter& meter, Sampled_mesh& sampled) const {
+    Sharp_triangle_mender<Surface, Meter> mender(surface_, meter, sampled,
+                                                 mesh.number_of_boundary_points);
+    for (const std::size_t v : mender.mend())
+      mesh.points[v] = Point_2(sampled.uv[v].x, sampled.uv[v].y);
+    return mesh;
   }
 
   using Corners = std::array<std::size_t, 3>; // in increasing order
