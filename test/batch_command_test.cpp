@@ -9,6 +9,7 @@
 #include "program_fixtures.h"
 
 #include <algorithm>
+#include <chrono>
 #include <map>
 #include <set>
 #include <sstream>
@@ -77,6 +78,10 @@ public:
       result.push_back(line);
     return result;
   }
+  // An hour.
+  void make_old(const std::string& name) const {
+    fs::last_write_time(*this / name, fs::file_time_type::clock::now() - std::chrono::hours(1));
+  }
   // Expects success with these counts.
   void expect(const std::string& arguments, const std::string& counts) const {
     INFO(arguments);
@@ -123,7 +128,8 @@ TEST_CASE("Meshes of many files are the same bytes for any number of threads, in
 
 TEST_CASE("A list names inputs, with blank lines and comments, in a file or on standard input") {
   const Batch_scratch work("batch_list");
-  work.write("list.txt", "# two\nin/flat.patch.json\n\n  \t\nin/steep.patch.json\r\n");
+  work.write("list.txt",
+             "# two\n in/flat.patch.json\t\n\n  \t\n  # indented\nin/steep.patch.json \r\n");
   const std::string mesh = "mesh --output-directory out --triangles 100 ";
   work.expect(mesh + "--list list.txt", "2 meshed, 0 up to date, 0 failed");
   CHECK(work.names() == std::set<std::string>{"flat.ply", "steep.ply", manifest});
@@ -249,6 +255,7 @@ TEST_CASE("A manifest that a crash has cut off anywhere loses its last line only
     CAPTURE(size);
     work.write("out/" + manifest, text.substr(0, size));
     work.write("out/flat.ply.part123", "what a run was writing when it was killed");
+    work.make_old("out/flat.ply.part123");
     work.expect(batch + "--resume", "1 meshed, 3 up to date, 0 failed");
     CHECK(work.lines().size() == 4);
     CHECK((work.meshes() == meshes));
@@ -268,6 +275,48 @@ TEST_CASE("A manifest that a crash has cut off anywhere loses its last line only
     work.write("out/" + manifest, text + started + '\n');
     work.expect(batch + "--resume", "1 meshed, 3 up to date, 0 failed");
   }
+}
+
+TEST_CASE("What another run may be writing stays, and so does what no run has begun") {
+  const Batch_scratch work("batch_leftovers");
+  fs::create_directory(work / "out");
+  std::set<std::string> names = all_names;
+  for (const std::string name : {"flat.ply.part", "flat.ply.part1x", "flat.txt.part1",
+                                 "flat.ply.part12", "flat.ply.part123"}) {
+    work.write("out/" + name, "text");
+    if (name != "flat.ply.part12")
+      work.make_old("out/" + name);
+    if (name != "flat.ply.part123")
+      names.insert(name);
+  }
+  work.expect(batch, all_made);
+  CHECK(work.names() == names);
+}
+
+TEST_CASE("The report may be in the new directory") {
+  const Batch_scratch work("batch_report");
+  CHECK_THAT(work.run_well("mesh in --output-directory a/b --triangles 100 --report a/b/r.json"),
+             StartsWith("a/b: " + all_made));
+  CHECK_THAT(contents(work / "a/b/r.json"), Contains("\"meshed\": 4,"));
+  const Result refused = work.run("mesh in --output-directory c/d --report c/e/r.json");
+  CHECK(refused.status == 1);
+  CHECK_THAT(refused.err, Contains("c/e/r.json: cannot be opened for writing"));
+  CHECK(!fs::exists(work / "c"));
+  if (!fs::exists("/dev/full"))
+    return;
+  CHECK(work.run(batch + "--report /dev/full").status == 1);
+  work.write("in/a.cgb", "1\n1\n");
+  CHECK_THAT(work.run(batch + "--threads 1 --report /dev/full").err,
+             Contains("warning: /dev/full: cannot be written") &&
+                 Contains("multipatch: in/a.cgb:"));
+}
+
+TEST_CASE("A pipe, which cannot be read twice, is refused as an input") {
+  const Batch_scratch work("batch_pipe");
+  const Result result = work.run_shell("mkfifo p.cgb && " + program + batch + "--keep-going p.cgb");
+  CHECK(result.status == 1);
+  CHECK_THAT(result.err, Contains("error: p.cgb: expected a regular file"));
+  CHECK_THAT(result.out, StartsWith("out: 4 meshed, 0 up to date, 1 failed"));
 }
 
 TEST_CASE("A run that is interrupted leaves whole meshes, and the next one does the others") {
@@ -321,6 +370,8 @@ TEST_CASE("What cannot be a batch is refused before the work, and leaves nothing
       {"mesh in --output-directory file", 1, "file: cannot be made"},
       {"mesh in --output-directory out --report in/flat.patch.json", 1, "it is one of the inputs"},
       {"mesh in --output-directory out --report out/flat.ply", 1, "it is the mesh of in/flat"},
+      {"mesh in --output-directory out --report ./out/" + manifest, 1, "it is the manifest"},
+      {"mesh in out/" + manifest + " --output-directory out --keep-going", 1, "it is the manifest"},
       {"mesh in --output-directory out --report no/report.json", 1, "no/report.json: cannot be"},
       {"mesh in --output-directory out --edge-length 0", 1, "not 0"},
       {"mesh in --output-directory out -o a.ply", 2, "excludes"},

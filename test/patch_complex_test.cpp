@@ -12,6 +12,7 @@
 #include <CGAL/Multisided_patches/meshing/tessellate.h>
 #include <CGAL/Multisided_patches/meshing/tessellate_complex.h>
 
+#include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/helpers.h>
 
@@ -267,6 +268,28 @@ TEST_CASE("Patches that share their whole boundary are meshed to a closed body")
       CHECK(CGAL::is_closed(mesh));
       CHECK(MP::mesh_topology(mesh).euler_characteristic == 2);
     }
+  }
+}
+
+TEST_CASE("A side that a patch shares with itself is joined") {
+  // A tube whose cross section is a loop: the sides at u = -1 and u = 1 are the same line.
+  const Formula_patch tube(Domain({{-1, 0}, {1, 0}, {1, 1}, {-1, 1}}),
+                           [](const auto& u, const auto& v) {
+                             const auto x = 1 - u * u, y = u * (1 - u * u);
+                             return std::array{x, y, v};
+                           });
+  const MP::Patch_complex<std::decay_t<decltype(tube)>> complex({tube});
+  REQUIRE(complex.shared_sides().size() == 1);
+  for (const double length : {0.5, 0.1, 0.02}) {
+    CAPTURE(length);
+    Mesh mesh;
+    MP::tessellate(complex, mesh, Density(length));
+    CHECK(CGAL::is_valid_polygon_mesh(mesh));
+    // A cylinder has the Euler characteristic 0, and two circles for a border.
+    CHECK(mesh.number_of_vertices() + mesh.number_of_faces() == mesh.number_of_edges());
+    std::vector<Mesh::Halfedge_index> circles;
+    CGAL::Polygon_mesh_processing::extract_boundary_cycles(mesh, std::back_inserter(circles));
+    CHECK(circles.size() == 2);
   }
 }
 

@@ -16,9 +16,8 @@
 
 #include <CGAL/tags.h>
 
-#include <boost/graph/graph_traits.hpp>
-
 #include <cstddef>
+#include <numeric>
 #include <type_traits>
 #include <vector>
 
@@ -41,6 +40,8 @@ namespace Multisided_patches {
  * \param maps what else is written, and where to: a `Mesh_maps`, or the `Default_maps`
  * \param visitor hears of the progress and can cancel, see `Tessellation_visitor`
  *
+ * \pre `domain_mesh` is valid, see `is_valid_domain_mesh()`
+ *
  * \throws Numerical_error if a point of the surface is not finite
  * \throws Cancelled if the visitor wants so; `mesh` is unchanged in both cases
  *
@@ -57,9 +58,9 @@ void tessellate(const Patch& patch, const Domain_mesh_2<typename Patch::Geom_tra
   const auto all_maps = internal::maps_or_default<Patch>(maps, mesh);
   internal::Mesh_builder<FaceGraph, std::decay_t<decltype(all_maps)>> builder(mesh, all_maps);
   builder.make_room(n, domain_mesh.triangles.size());
-  using Graph = boost::graph_traits<FaceGraph>;
-  std::vector<typename Graph::vertex_descriptor> handles(n, builder.null_vertex());
-  builder.add(patch_mesh, 0, handles);
+  std::vector<std::size_t> numbers(n);
+  std::iota(numbers.begin(), numbers.end(), std::size_t(0));
+  builder.add(patch_mesh, 0, numbers);
   builder.finish();
 }
 

@@ -68,7 +68,7 @@ Domain_mesh_2<Traits> triangulate_domain(const Polygonal_domain_2<Traits>& domai
   using Mesher = internal::Domain_mesher<Traits, internal::Uniform_metric>;
   const internal::Uniform_metric metric(spacing);
   Mesher mesher(domain, sides, metric, std::vector<std::size_t>(domain.size(), 0),
-                Mesher::possible_halvings(domain, triangles));
+                Mesher::possible_halvings(sides, triangles));
   constexpr std::size_t max_points = Mesh_density::max_triangles / 2;
   const auto ignore_progress = [](std::size_t) {};
   mesher.refine(max_points, ignore_progress);

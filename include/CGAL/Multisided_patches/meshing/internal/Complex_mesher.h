@@ -16,7 +16,6 @@
 #include <CGAL/Multisided_patches/meshing/internal/split_chords.h>
 #include <CGAL/Multisided_patches/meshing/mesh_domain.h>
 
-#include <boost/graph/graph_traits.hpp>
 #include <boost/pending/disjoint_sets.hpp>
 
 #include <cstddef>
@@ -119,19 +118,16 @@ public:
   // Adds all patches to the mesh of a builder.
   template <typename Builder>
   void assemble(Builder& builder) const {
-    using Vertex = typename Builder::Vertex;
     std::size_t triangles = 0;
     for (const auto& mesh : domain_meshes_)
       triangles += mesh.triangles.size();
     builder.make_room(number_of_vertices(), triangles);
-    std::vector<Vertex> common(number_of_groups_, Builder::null_vertex());
+    std::size_t next = number_of_groups_; // the vertices inside come after the common ones
     for (std::size_t k = 0; k < size(); ++k) {
-      std::vector<Vertex> handles(domain_meshes_[k].points.size(), Builder::null_vertex());
-      for (std::size_t v = 0; v < groups_[k].size(); ++v)
-        handles[v] = common[groups_[k][v]];
-      builder.add(meshes_[k], k, handles);
-      for (std::size_t v = 0; v < groups_[k].size(); ++v)
-        common[groups_[k][v]] = handles[v];
+      std::vector<std::size_t> numbers = groups_[k];
+      while (numbers.size() < domain_meshes_[k].points.size())
+        numbers.push_back(next++);
+      builder.add(meshes_[k], k, numbers);
     }
     builder.finish();
   }
@@ -181,7 +177,7 @@ private:
     for_each_patch([&](std::size_t k) { domain_meshes_[k] = meshers_[k]->finish(); });
   }
 
-  // Returns the number of triangles that there will be.
+  // Returns about how many triangles there will be.
   std::size_t start(double edge_length) {
     const std::vector<Side_parameters> sides =
         sample_all(Mesh_density::edge_length(edge_length), 1);

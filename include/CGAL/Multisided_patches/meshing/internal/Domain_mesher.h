@@ -42,9 +42,15 @@ public:
   using FT = typename Traits::FT;
 
   // How many times the edges of a coarse mesh can be halved to get so many triangles. The coarse
-  // mesh has to show the shape of the domain, and how the metric changes.
-  static int possible_halvings(const Domain& domain, double expected_triangles) {
-    const double least = (std::max)(1500., 16. * static_cast<double>(domain.size()));
+  // mesh has to show the shape of the domain, and how the metric changes; and where most points are
+  // samples on the sides, there is nothing to halve.
+  static int possible_halvings(const Side_parameters& sides, double expected_triangles) {
+    std::size_t samples = sides.size();
+    for (const std::vector<double>& side : sides)
+      samples += side.size();
+    if (4 * static_cast<double>(samples) > expected_triangles)
+      return 0;
+    const double least = (std::max)(1500., 16. * static_cast<double>(sides.size()));
     int halvings = 0;
     for (; expected_triangles >= 4 * least; expected_triangles /= 4)
       ++halvings;
@@ -82,7 +88,7 @@ public:
     mesh_.locations.resize(mesh_.points.size(), Location::interior());
   }
 
-  // The number of triangles that there will be once edges have been halved.
+  // About how many triangles there will be once edges have been halved.
   std::size_t expected_triangles() const {
     const std::size_t all = mesh_.number_of_boundary_points, inside = mesh_.points.size() - all,
                       factor = std::size_t(1) << halvings_;
@@ -98,7 +104,7 @@ public:
   void halve_edges(std::size_t max_points, const Progress& progress) {
     if (halvings_ == 0)
       return;
-    refiner_->smooth(smoothing_sweeps);
+    refiner_->smooth(coarse_sweeps);
     if (!try_to_halve_edges(progress)) { // then the points inside are looked for one by one
       mesh_.points.resize(mesh_.number_of_boundary_points);
       metric_.shrink(mesh_.number_of_boundary_points);
@@ -106,7 +112,7 @@ public:
       start_with(next_points());
     }
     refine(max_points, progress);
-    refiner_->smooth_where_sharp(sharp_sweeps);
+    refiner_->smooth_where_sharp(sharp_sweeps, progress);
   }
 
   void keep_off_sides(double share_of_length) { refiner_->keep_off_sides(share_of_length); }
@@ -132,21 +138,24 @@ public:
   }
 
 private:
-  static constexpr int smoothing_sweeps = 2, sharp_sweeps = 5;
+  static constexpr int coarse_sweeps = 2, sharp_sweeps = 5;
 
   // Returns false if rounding is in the way.
   template <typename Progress>
   bool try_to_halve_edges(const Progress& progress) {
-    Edge_halver<Traits, Field> halver(mesh_.points, metric_, triangulation_->triangles(),
-                                      segments_);
-    metric_.scale_lengths(1 << halvings_);
-    for (std::size_t length = std::size_t(1) << halvings_; length > 1; length /= 2) {
-      if (!halver.halve(static_cast<double>(length), length / 2))
-        return false;
-      progress(mesh_.points.size());
+    std::vector<Linked_triangle> triangles;
+    {
+      Edge_halver<Traits, Field> halver(mesh_.points, metric_, triangulation_->triangles(),
+                                        segments_);
+      metric_.scale_lengths(1 << halvings_);
+      for (std::size_t length = std::size_t(1) << halvings_; length > 1; length /= 2)
+        if (!halver.halve(static_cast<double>(length), length / 2, progress))
+          return false;
+      triangles = halver.take_triangles();
     }
-    start_with(halver.triangles());
-    refiner_->smooth_where_sharp(sharp_sweeps);
+    start_with(triangles);
+    triangles = {};
+    refiner_->smooth_where_sharp(sharp_sweeps, progress);
     return true;
   }
 

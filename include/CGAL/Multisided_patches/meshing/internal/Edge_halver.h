@@ -36,15 +36,18 @@ public:
       : points_(points), metric_(metric), triangles_(std::move(triangles)),
         segments_(std::move(segments)) {}
 
-  const std::vector<Linked_triangle>& triangles() const { return triangles_; }
+  // Ends the use of this object.
+  std::vector<Linked_triangle> take_triangles() { return std::move(triangles_); }
 
   // Halves the edges whose length in the metric is `length` or not much less, and those on sides
   // if they have more than `max_segments`. Returns false, and is of no use any more, if rounding
-  // has put points where triangles are not positively oriented.
-  bool halve(double length, std::size_t max_segments) {
+  // has put points where triangles are not positively oriented. Now and then it calls
+  // progress(number of points).
+  template <typename Progress>
+  bool halve(double length, std::size_t max_segments, const Progress& progress) {
     // The geometric mean of the length and its half: the longer ones are nearer to the length.
     const double max_squared_length = length * length / 2;
-    find_middles(max_squared_length, max_segments);
+    find_middles(max_squared_length, max_segments, progress);
     find_children();
     std::vector<Linked_triangle> children(first_child_.back());
     for (std::size_t t = 0; t < triangles_.size(); ++t)
@@ -64,12 +67,16 @@ private:
 
   // The points in the middles of the edges that are to be halved. Edges between two triangles are
   // the business of the first one.
-  void find_middles(double max_squared_length, std::size_t max_segments) {
+  template <typename Progress>
+  void find_middles(double max_squared_length, std::size_t max_segments, const Progress& progress) {
+    constexpr std::size_t block = 4096;
     middles_.assign(triangles_.size(), {none, none, none});
     std::vector<char> is_narrow(triangles_.size());
     for (std::size_t t = 0; t < triangles_.size(); ++t)
       is_narrow[t] = this->is_narrow(triangles_[t]);
-    for (std::size_t t = 0; t < triangles_.size(); ++t)
+    for (std::size_t t = 0; t < triangles_.size(); ++t) {
+      if (t % block == 0)
+        progress(points_.size());
       for (int i = 0; i < 3; ++i) {
         const std::size_t neighbor = triangles_[t].neighbors[i],
                           a = triangles_[t].vertices[(i + 1) % 3],
@@ -81,6 +88,7 @@ private:
         else if (squared_length(a, b) > max_squared_length && !is_narrow[t] && !is_narrow[neighbor])
           middles_[t][i] = add_middle(a, b);
       }
+    }
   }
 
   std::size_t middle_of_side(std::size_t a, std::size_t max_segments) {

@@ -20,16 +20,14 @@
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/properties.h>
 
-#include <boost/functional/hash.hpp>
 #include <boost/range/iterator_range.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <functional>
 #include <limits>
+#include <map>
 #include <type_traits>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -151,36 +149,31 @@ public:
 
   Mesh_builder(FaceGraph& mesh, const Maps& maps) : mesh_(mesh), maps_(maps) {}
 
-  static Vertex null_vertex() { return Graph::null_vertex(); }
-
   // Makes room for so many more vertices and triangles.
   void make_room(std::size_t vertices, std::size_t triangles) {
     using Size = typename Graph::vertices_size_type;
     reserve(mesh_, static_cast<Size>(num_vertices(mesh_) + vertices),
             static_cast<Size>(num_edges(mesh_) + vertices + triangles),
             static_cast<Size>(num_faces(mesh_) + triangles));
+    vertices_.reserve(vertices);
   }
 
   // Adds the triangles of patch number `index`, and those of its vertices that are not there yet:
-  // handles[k] is the vertex for vertex k, or null.
+  // numbers[k] is the number of vertex k among those of all patches. Those of one number are the
+  // same vertex of the mesh.
   template <typename Patch>
-  void add(const Patch_mesh<Patch>& patch, std::size_t index, std::vector<Vertex>& handles) {
-    auto points = get(CGAL::vertex_point, mesh_);
-    for (std::size_t k = 0; k < patch.vertices.size(); ++k)
-      if (handles[k] == null_vertex()) {
-        handles[k] = add_vertex(mesh_);
-        put(points, handles[k], patch.vertices[k].point);
-        put_vertex_properties(patch, k, handles[k]);
-      }
+  void add(const Patch_mesh<Patch>& patch, std::size_t index,
+           const std::vector<std::size_t>& numbers) {
+    add_vertices(patch, numbers);
     const auto& triangles = patch.domain_mesh->triangles;
-    const std::vector<std::size_t> opposites = opposite_half_edges(triangles, handles.size());
+    const std::vector<std::size_t> opposites = opposite_half_edges(triangles, numbers.size());
     std::vector<Halfedge> halfedges(opposites.size());
     for (std::size_t t = 0; t < triangles.size(); ++t) {
-      const std::array<Vertex, 3> corners{handles[triangles[t][0]], handles[triangles[t][1]],
-                                          handles[triangles[t][2]]};
+      const std::array<std::size_t, 3> corners{numbers[triangles[t][0]], numbers[triangles[t][1]],
+                                               numbers[triangles[t][2]]};
       for (std::size_t h = 3 * t; h < 3 * t + 3; ++h) {
         const std::size_t o = opposites[h];
-        const Vertex from = corners[h - 3 * t], to = corners[(h + 1 - 3 * t) % 3];
+        const std::size_t from = corners[h - 3 * t], to = corners[(h + 1 - 3 * t) % 3];
         halfedges[h] = o == no_half_edge ? halfedge_on_border(from, to)
                        : o < h           ? opposite(halfedges[o], mesh_)
                                          : new_halfedge(from, to);
@@ -188,7 +181,7 @@ public:
       const Face face = face_of({halfedges[3 * t], halfedges[3 * t + 1], halfedges[3 * t + 2]});
       put_if_wanted(maps_.patch, face, index);
       if constexpr (is_wanted<decltype(Maps::side)>)
-        put_sides(patch, triangles[t], face, corners);
+        put_sides(patch, triangles[t], halfedges.data() + 3 * t);
     }
   }
 
@@ -201,12 +194,27 @@ public:
         other = opposite(prev(other, mesh_), mesh_);
       while (face(other, mesh_) != Graph::null_face());
       set_next(halfedge, other, mesh_);
-      set_halfedge(ends.second, halfedge, mesh_);
+      set_halfedge(vertices_[ends.second], halfedge, mesh_);
     }
     border_.clear();
   }
 
 private:
+  template <typename Patch>
+  void add_vertices(const Patch_mesh<Patch>& patch, const std::vector<std::size_t>& numbers) {
+    auto points = get(CGAL::vertex_point, mesh_);
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+      if (numbers[k] >= vertices_.size())
+        vertices_.resize(numbers[k] + 1, Graph::null_vertex());
+      Vertex& v = vertices_[numbers[k]];
+      if (v != Graph::null_vertex())
+        continue;
+      v = add_vertex(mesh_);
+      put(points, v, patch.vertices[k].point);
+      put_vertex_properties(patch, k, v);
+    }
+  }
+
   template <typename Patch>
   void put_vertex_properties(const Patch_mesh<Patch>& patch, std::size_t k, Vertex v) {
     const auto& mesh = *patch.domain_mesh;
@@ -224,13 +232,10 @@ private:
 
   // The halfedges of a triangle between consecutive vertices of a side.
   template <typename Patch>
-  void put_sides(const Patch_mesh<Patch>& patch, const std::array<std::size_t, 3>& t, Face face,
-                 const std::array<Vertex, 3>& corners) {
+  void put_sides(const Patch_mesh<Patch>& patch, const std::array<std::size_t, 3>& t,
+                 const Halfedge* halfedges) {
     const auto& mesh = *patch.domain_mesh;
-    Halfedge h = halfedge(face, mesh_);
-    for (int k = 0; k < 3; ++k, h = next(h, mesh_)) {
-      const auto i = static_cast<std::size_t>(
-          std::find(corners.begin(), corners.end(), source(h, mesh_)) - corners.begin());
+    for (int i = 0; i < 3; ++i) {
       const std::size_t from = t[i], to = t[(i + 1) % 3];
       const std::size_t n = mesh.number_of_boundary_points;
       if (from >= n || to >= n)
@@ -242,20 +247,20 @@ private:
       const bool is_next = to == from + 1 && mesh.locations[to].index == side;
       const bool is_last = ends_side && (from + 1 == n || mesh.locations[from + 1].index != side);
       if (is_next || is_last)
-        put(maps_.side, h, side);
+        put(maps_.side, halfedges[i], side);
     }
   }
 
   // An edge, of which this halfedge gets a face.
-  Halfedge new_halfedge(Vertex from, Vertex to) {
+  Halfedge new_halfedge(std::size_t from, std::size_t to) {
     const Halfedge h = halfedge(add_edge(mesh_), mesh_);
-    set_target(h, to, mesh_);
-    set_target(opposite(h, mesh_), from, mesh_);
+    set_target(h, vertices_[to], mesh_);
+    set_target(opposite(h, mesh_), vertices_[from], mesh_);
     return h;
   }
 
   // The same where there is no other triangle in the patch: there may be one in another patch.
-  Halfedge halfedge_on_border(Vertex from, Vertex to) {
+  Halfedge halfedge_on_border(std::size_t from, std::size_t to) {
     const auto other = border_.find({from, to});
     if (other != border_.end()) {
       const Halfedge h = other->second;
@@ -264,9 +269,7 @@ private:
     }
     const Halfedge h = new_halfedge(from, to), o = opposite(h, mesh_);
     set_face(o, Graph::null_face(), mesh_);
-    const bool is_new = border_.emplace(std::make_pair(to, from), o).second;
-    CGAL_assertion(is_new);
-    static_cast<void>(is_new);
+    border_.emplace(std::make_pair(to, from), o);
     return h;
   }
 
@@ -281,18 +284,11 @@ private:
     return f;
   }
 
-  struct Hash_of_ends {
-    std::size_t operator()(const std::pair<Vertex, Vertex>& ends) const {
-      std::size_t seed = std::hash<Vertex>()(ends.first);
-      boost::hash_combine(seed, std::hash<Vertex>()(ends.second));
-      return seed;
-    }
-  };
-
   FaceGraph& mesh_;
   Maps maps_;
-  // The halfedges without a face, by where they start and end.
-  std::unordered_map<std::pair<Vertex, Vertex>, Halfedge, Hash_of_ends> border_;
+  std::vector<Vertex> vertices_; // by number
+  // The halfedges without a face, by the numbers of the vertices where they start and end.
+  std::map<std::pair<std::size_t, std::size_t>, Halfedge> border_;
 };
 
 } // namespace internal

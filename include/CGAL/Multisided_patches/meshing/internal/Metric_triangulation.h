@@ -120,18 +120,19 @@ public:
     }
   }
 
-  // Does the same to the points of triangles with an angle below 32 degrees, and around these.
-  void smooth_where_sharp(int sweeps) {
+  // Does the same to the points of triangles with an angle below 32 degrees, and around these. Now
+  // and then it calls progress(number of points).
+  template <typename Progress>
+  void smooth_where_sharp(int sweeps, const Progress& progress) {
     std::vector<Face_handle> faces = faces_inside();
-    for (int k = 0; k < sweeps; ++k) {
-      const std::vector<Vertex_handle> vertices = vertices_of_sharp_triangles(faces);
+    for (int k = 0; k < sweeps && !faces.empty(); ++k) {
+      const std::vector<Vertex_handle> vertices = points_of_sharp_triangles(faces);
       faces.clear();
       for (const Vertex_handle v : vertices)
-        if (!smooth_point(v))
-          nudge_point(v);
-      for (const Vertex_handle v : vertices)
-        for_each_face_around(v, [&](Face_handle f) { faces.push_back(f); });
+        if (smooth_point(v) || nudge_point(v))
+          for_each_face_around(v, [&](Face_handle f) { faces.push_back(f); });
       make_delaunay(faces);
+      progress(points_.size());
     }
   }
 
@@ -221,23 +222,30 @@ private:
     while (++face != done);
   }
 
-  // And of their neighbours, in an order that does not depend on addresses.
+  // The points that may be moved of sharp triangles and of those around them.
   std::vector<Vertex_handle>
-  vertices_of_sharp_triangles(const std::vector<Face_handle>& faces) const {
+  points_of_sharp_triangles(const std::vector<Face_handle>& faces) const {
     constexpr double max_squared_ratio = 0.89; // of circumradius and shortest edge
+    std::vector<bool> is_corner(points_.size(), false), is_found(points_.size(), false);
     std::vector<Vertex_handle> vertices;
+    const auto add_points_of = [&](Face_handle f) {
+      for (int i = 0; i < 3; ++i) {
+        const Vertex_handle v = f->vertex(i);
+        if (is_movable(v) && !is_found[v->info()]) {
+          is_found[v->info()] = true;
+          vertices.push_back(v);
+        }
+      }
+    };
     for (const Face_handle f : faces) {
       const Metric_triangle t = triangle(f);
       if (t.squared_circumradius() > max_squared_ratio * t.squared_length(t.shortest_edge()))
         for (int i = 0; i < 3; ++i)
-          for_each_face_around(f->vertex(i), [&](Face_handle g) {
-            vertices.insert(vertices.end(), {g->vertex(0), g->vertex(1), g->vertex(2)});
-          });
+          if (!is_corner[f->vertex(i)->info()]) {
+            is_corner[f->vertex(i)->info()] = true;
+            for_each_face_around(f->vertex(i), add_points_of);
+          }
     }
-    const auto index = [](Vertex_handle v) { return v->info(); };
-    std::sort(vertices.begin(), vertices.end(),
-              [&](Vertex_handle v, Vertex_handle w) { return index(v) < index(w); });
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     return vertices;
   }
 
@@ -253,31 +261,33 @@ private:
       sum = sum + t.area() * centroid(f);
       weight += t.area();
     });
-    return move_point(v, 1 / weight * sum);
+    return move_point(v, 1 / weight * sum, worst_quality(v));
   }
 
   // Moves a point that smoothing leaves where it is a little towards or away from one of its
-  // neighbours, if that helps.
-  void nudge_point(Vertex_handle v) {
-    if (!is_movable(v))
-      return;
-    std::vector<Uv> directions;
+  // neighbours, if that helps. Returns whether it did.
+  bool nudge_point(Vertex_handle v) {
+    constexpr std::size_t max_neighbors = 12; // in a fan from side to side there is nothing to gain
+    boost::container::small_vector<Uv, max_neighbors> directions;
     const Uv p = position(v);
     for_each_face_around(v, [&](Face_handle f) {
       directions.push_back(position(f->vertex(Triangulation::ccw(f->index(v)))) - p);
     });
+    if (directions.size() > max_neighbors)
+      return false;
+    const double quality = worst_quality(v);
     for (const double step : {0.2, -0.2, 0.05, -0.05})
       for (const Uv& d : directions)
-        if (move_point(v, p + step * d))
-          return;
+        if (move_point(v, p + step * d, quality))
+          return true;
+    return false;
   }
 
-  // Moves a point if that makes the sharpest angle around it less sharp. Returns whether it did.
-  bool move_point(Vertex_handle v, const Uv& target) {
-    const double before = worst_quality(v);
+  // Moves a point if that makes the quality around it better than it was. Returns whether it did.
+  bool move_point(Vertex_handle v, const Uv& target, double quality) {
     const Point_2 old = v->point();
     v->set_point(Point_2(FT(target.x), FT(target.y)));
-    if (!is_star_valid(v) || !(worst_quality(v) > before)) {
+    if (!is_star_valid(v) || !(worst_quality(v) > quality)) {
       v->set_point(old);
       return false;
     }

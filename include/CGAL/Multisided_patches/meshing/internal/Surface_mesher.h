@@ -64,15 +64,15 @@ public:
   // Of the surface (squared model units).
   double area() const { return coarse_metric_.area() * surface_.unit() * surface_.unit(); }
 
-  // Begins a mesh with edges of a length (model units) on the average. Returns the number of
-  // triangles that it will have.
+  // Begins a mesh with edges of a length (model units) on the average. Returns about how many
+  // triangles it will have.
   std::size_t start(Side_parameters sides, double length) {
     sides_ = std::move(sides);
     metric_ = coarse_metric_;
     metric_.set_edge_length(length / surface_.unit());
     check_count(metric_, sides_, "an edge length of " + to_short_text(length));
     mesher_.emplace(domain(), sides_, metric_, coarse_hints_,
-                    Mesher::possible_halvings(domain(), expected_triangles(metric_, sides_)));
+                    Mesher::possible_halvings(sides_, expected_triangles(metric_, sides_)));
     refine(*mesher_, expected_points(metric_, sides_));
     return mesher_->expected_triangles();
   }
