@@ -6,6 +6,7 @@
 #include "batch_files.h"
 
 #include "any_model.h"
+#include "batch_manifest.h"
 
 #include <CGAL/Multisided_patches/IO/internal/file_access.h>
 
@@ -41,6 +42,14 @@ std::vector<std::string> patches_in(const std::string& directory) {
   return names;
 }
 
+std::string trimmed(const std::string& line) {
+  const char* blanks = " \t\r";
+  const std::size_t begin = line.find_first_not_of(blanks);
+  if (begin == std::string::npos)
+    return "";
+  return line.substr(begin, line.find_last_not_of(blanks) + 1 - begin);
+}
+
 // Collects the names of inputs; `where` begins messages on one of them.
 class Inputs {
 public:
@@ -61,9 +70,8 @@ public:
   void add_list(std::istream& in, const std::string& list) {
     std::string line;
     for (std::size_t number = 1; std::getline(in, line); ++number) {
-      if (!line.empty() && line.back() == '\r')
-        line.pop_back();
-      if (line.find_first_not_of(" \t") != std::string::npos && line.front() != '#')
+      line = trimmed(line);
+      if (!line.empty() && line.front() != '#')
         add(line, list + ':' + std::to_string(number) + ": ");
     }
   }
@@ -99,11 +107,17 @@ std::string canonical(const std::string& name) {
   return error ? name : path.string();
 }
 
-void check_outputs(const std::vector<Batch_file>& files, const std::string& report) {
+void check_outputs(const std::vector<Batch_file>& files, const Mesh_options& options) {
+  const std::string& report = options.report;
+  const std::string manifest =
+      canonical((fs::path(options.batch.directory) / Batch_manifest::file_name).string());
   std::unordered_map<std::string, const Batch_file*> by_output;
   std::unordered_set<std::string> inputs;
   for (const Batch_file& file : files) {
-    inputs.insert(canonical(file.input));
+    const std::string input = canonical(file.input);
+    if (input == manifest)
+      throw MP::Input_error(file.input + ": is no patch: it is the manifest of the batch");
+    inputs.insert(input);
     const auto [place, is_new] = by_output.emplace(file.output, &file);
     if (!is_new)
       throw MP::Input_error(file.output + ": would be the mesh of both " + place->second->input +
@@ -117,6 +131,8 @@ void check_outputs(const std::vector<Batch_file>& files, const std::string& repo
   const std::string report_path = canonical(report);
   if (inputs.count(report_path) > 0)
     throw MP::Input_error(report + ": cannot be written: it is one of the inputs");
+  if (report_path == manifest)
+    throw MP::Input_error(report + ": cannot be written: it is the manifest of the batch");
   for (const Batch_file& file : files)
     if (canonical(file.output) == report_path)
       throw MP::Input_error(report + ": cannot be written: it is the mesh of " + file.input);
@@ -138,7 +154,7 @@ std::vector<Batch_file> batch_files(const Mesh_options& options) {
     std::string output = batch_output(input, options.batch);
     files.push_back({std::move(input), std::move(output)});
   }
-  check_outputs(files, options.report);
+  check_outputs(files, options);
   return files;
 }
 

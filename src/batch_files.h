@@ -24,7 +24,8 @@ std::string batch_output(const std::string& input, const Batch_options& options)
 
 // The inputs in the order in which they are given; of a directory, the patches directly in it,
 // sorted by name. Throws Input_error if there are none, if one is missing and the options do not
-// say to keep going, or if an output would be that of two inputs, or an input itself.
+// say to keep going, or if an output or the report would be that of two inputs, an input itself or
+// the manifest.
 std::vector<Batch_file> batch_files(const Mesh_options& options);
 
 } // namespace multipatch

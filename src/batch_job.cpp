@@ -52,6 +52,10 @@ std::string text_of(const Mesh_options& options, const MP::Mesh_density& density
 }
 
 std::uint64_t hash_of_file(const std::string& name) {
+  std::error_code ignored;
+  if (std::filesystem::is_other(name, ignored))
+    throw MP::Input_error(name + ": expected a regular file, as it is read twice; found a pipe, a "
+                                 "device or a socket");
   std::ifstream in = MP::internal::open_for_reading(name);
   return hash({std::istreambuf_iterator<char>(in), {}});
 }

@@ -41,8 +41,11 @@ Batch_manifest::Batch_manifest(const std::string& directory)
   if (descriptor_ < 0)
     fail(path_, "opened for writing");
   try {
-    if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
-      throw MP::Error(directory + ": another run is writing to this directory");
+    if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
+      if (errno == EWOULDBLOCK)
+        throw MP::Error(directory + ": another run is writing to this directory");
+      lock_error_ = std::strerror(errno);
+    }
     const std::string text = read();
     // What follows the last line break, a crash has cut off.
     const std::size_t whole = text.rfind('\n') + 1; // 0 if there is none

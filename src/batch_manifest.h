@@ -15,7 +15,8 @@ namespace multipatch {
 
 // What is known about the meshes in a directory: a file there with a line of JSON for each event,
 // to which lines are only added. The last line on an output counts; lines that make no sense, as
-// one may that a crash has cut off, do not. While it is open, no other process can open it.
+// one may that a crash has cut off, do not. While it is open, no other process can open it,
+// unless there is a `lock_error()`.
 class Batch_manifest {
 public:
   static constexpr const char* file_name = "multipatch-manifest.jsonl";
@@ -25,6 +26,9 @@ public:
   ~Batch_manifest();
   Batch_manifest(const Batch_manifest&) = delete;
   Batch_manifest& operator=(const Batch_manifest&) = delete;
+
+  // Why other processes are not kept out, as on file systems without locks; empty if they are.
+  const std::string& lock_error() const { return lock_error_; }
 
   // What earlier runs have said about the output, or nullptr. Not changed by `add()`.
   const Batch_record* find(const std::string& output) const;
@@ -38,6 +42,7 @@ private:
 
   std::string path_;
   int descriptor_;
+  std::string lock_error_;
   std::unordered_map<std::string, Batch_record> earlier_; // by the name of the output alone
 };
 

@@ -10,10 +10,12 @@
 #include <CGAL/Multisided_patches/IO/internal/file_access.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <unordered_set>
 #include <utility>
+#include <vector>
 
 #include <unistd.h>
 
@@ -22,42 +24,58 @@ namespace multipatch {
 namespace MP = CGAL::Multisided_patches;
 namespace fs = std::filesystem;
 
-Batch_run::Batch_run(const Mesh_options& options)
-    : settings_(options), files_(batch_files(options)), records_(files_.size()),
-      show_(!options.quiet && isatty(STDERR_FILENO)) {
-  if (!options.report.empty())
-    MP::internal::check_writable(options.report);
-  std::error_code error;
+namespace {
+
+// The report may be in the directory. If it cannot be written, nothing is left.
+void make_directory(const Mesh_options& options) {
+  std::error_code error, ignored;
+  std::vector<fs::path> made;
+  for (fs::path path = options.batch.directory;
+       path.has_relative_path() && !fs::exists(path, error); path = path.parent_path())
+    made.push_back(path);
   fs::create_directories(options.batch.directory, error);
   if (error)
     throw MP::Error(options.batch.directory + ": cannot be made: " + error.message());
+  try {
+    if (!options.report.empty())
+      MP::internal::check_writable(options.report);
+  } catch (...) {
+    for (const fs::path& path : made)
+      fs::remove(path, ignored);
+    throw;
+  }
+}
+
+// Whether the file may belong to a run that is at work: meshes are written in much less time.
+bool is_recent(const fs::path& path) {
+  std::error_code error;
+  const auto time = fs::last_write_time(path, error);
+  return error || fs::file_time_type::clock::now() - time < std::chrono::minutes(1);
+}
+
+} // namespace
+
+Batch_run::Batch_run(const Mesh_options& options)
+    : settings_(options), files_(batch_files(options)), records_(files_.size()),
+      show_(!options.quiet && isatty(STDERR_FILENO)) {
+  make_directory(options);
   manifest_.emplace(options.batch.directory);
+  if (!manifest_->lock_error().empty())
+    warn(options.batch.directory + ": cannot be locked against other runs, of which none should " +
+         "write to it now: " + manifest_->lock_error());
   remove_leftovers();
 }
 
 std::optional<std::size_t> Batch_run::next() {
-  while (const auto k = take()) {
-    const Batch_record* earlier = manifest_->find(files_[*k].output);
-    // Reads files, and is therefore done without the lock.
-    const bool passes = earlier != nullptr && settings_.options.batch.resume &&
-                        is_up_to_date(files_[*k], *earlier, settings_);
-    const std::lock_guard<std::mutex> lock(mutex_);
-    Batch_record& record = records_[*k];
-    if (passes) {
-      record = *earlier;
-      record.status = Batch_status::up_to_date;
-      ++done_;
-      show_progress();
-      continue;
-    }
-    record.options = settings_.hash;
-    record.status = Batch_status::started;
-    // If the run is killed after the mesh is replaced, what the manifest says would be wrong.
-    if (earlier != nullptr && earlier->status == Batch_status::meshed)
-      manifest_->add(files_[*k], record);
-    return k;
-  }
+  while (const auto k = take())
+    if (begin(*k))
+      return k;
   return std::nullopt;
+}
+
+std::optional<std::size_t> Batch_run::try_next() {
+  const auto k = take();
+  return k && begin(*k) ? k : std::nullopt;
 }
 
 void Batch_run::finish(std::size_t k, Batch_record record) {
@@ -89,8 +107,19 @@ void Batch_run::warn(const std::string& text) {
 
 void Batch_run::conclude() {
   clear_line();
-  if (!settings_.options.report.empty())
-    write_report();
+  const std::string report_error = try_to_write_report();
+  try {
+    end();
+  } catch (...) {
+    if (!report_error.empty())
+      warn(report_error);
+    throw;
+  }
+  if (!report_error.empty())
+    throw MP::Error(report_error);
+}
+
+void Batch_run::end() const {
   if (error_)
     std::rethrow_exception(error_);
   const int signal = Batch_interruption::received();
@@ -122,6 +151,29 @@ std::optional<std::size_t> Batch_run::take() {
   if (is_over())
     return std::nullopt;
   return next_++;
+}
+
+// Whether the file is to be meshed, and is not up to date.
+bool Batch_run::begin(std::size_t k) {
+  const Batch_record* earlier = manifest_->find(files_[k].output);
+  // Reads files, and is therefore done without the lock.
+  const bool passes = earlier != nullptr && settings_.options.batch.resume &&
+                      is_up_to_date(files_[k], *earlier, settings_);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  Batch_record& record = records_[k];
+  if (passes) {
+    record = *earlier;
+    record.status = Batch_status::up_to_date;
+    ++done_;
+    show_progress();
+    return false;
+  }
+  record.options = settings_.hash;
+  record.status = Batch_status::started;
+  // If the run is killed after the mesh is replaced, what the manifest says would be wrong.
+  if (earlier != nullptr && earlier->status == Batch_status::meshed)
+    manifest_->add(files_[k], record);
+  return true;
 }
 
 void Batch_run::tell_failure(std::size_t k) const {
@@ -157,7 +209,7 @@ std::string Batch_run::message(std::size_t k) const {
   return error.compare(0, prefix.size(), prefix) == 0 ? error : prefix + ' ' + error;
 }
 
-// What a run that was killed has left beside its meshes (see Atomic_file).
+// What a run that was killed some time ago has left beside its meshes (see Atomic_file).
 void Batch_run::remove_leftovers() const {
   std::unordered_set<std::string> outputs;
   for (const Batch_file& file : files_)
@@ -169,13 +221,24 @@ void Batch_run::remove_leftovers() const {
     const std::string name = entry->path().filename().string();
     const std::string part = ".part";
     const std::size_t at = name.rfind(part);
-    if (at != std::string::npos &&
+    if (at != std::string::npos && at + part.size() < name.size() &&
         name.find_first_not_of("0123456789", at + part.size()) == std::string::npos &&
-        outputs.count(name.substr(0, at)) > 0)
+        outputs.count(name.substr(0, at)) > 0 && !is_recent(entry->path()))
       leftovers.push_back(entry->path());
   }
   for (const fs::path& path : leftovers)
     fs::remove(path, error);
+}
+
+// Returns what went wrong, if anything did.
+std::string Batch_run::try_to_write_report() const {
+  try {
+    if (!settings_.options.report.empty())
+      write_report();
+    return "";
+  } catch (const std::exception& error) {
+    return error.what();
+  }
 }
 
 void Batch_run::write_report() const {

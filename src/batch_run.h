@@ -33,6 +33,8 @@ public:
 
   // The number of a file to mesh, and nothing if there is none left, or after what ends the run.
   std::optional<std::size_t> next();
+  // The same, but looks at one file at most, and says nothing, too, if that one is up to date.
+  std::optional<std::size_t> try_next();
   void finish(std::size_t k, Batch_record record);
   // Lets no file begin, and `conclude()` throw the exception.
   void give_up(std::exception_ptr error);
@@ -40,7 +42,8 @@ public:
   // Says on standard error what is worth knowing, and goes on.
   void warn(const std::string& text);
 
-  // When all are finished: writes the report, prints the summary, and throws if there is cause.
+  // When all are finished: writes the report, prints the summary, and throws if there is cause. If
+  // there is another one, too, that the report cannot be written is only a warning.
   void conclude();
 
 private:
@@ -48,12 +51,15 @@ private:
 
   bool is_over() const;
   std::optional<std::size_t> take();
+  bool begin(std::size_t k);
   void tell_failure(std::size_t k) const;
   void show_progress();
   void clear_line() const;
   std::size_t count(Batch_status status) const;
   std::string message(std::size_t k) const;
   void remove_leftovers() const;
+  void end() const;
+  std::string try_to_write_report() const;
   void write_report() const;
   void print_summary() const;
 

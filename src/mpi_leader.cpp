@@ -52,8 +52,8 @@ void Mpi_leader::share(Batch_run& batch) {
     constexpr std::chrono::milliseconds grace(300);
     std::optional<Clock::time_point> end;
     while (!is_done || (is_working() && !(end && Clock::now() > *end))) {
-      receive(batch);
       hand_out(batch);
+      receive(batch);
       look_after(batch);
       mailbox_.is_delivered();
       if (Batch_interruption::received() != 0 && !end) {
@@ -76,9 +76,11 @@ bool Mpi_leader::is_working() const {
 void Mpi_leader::receive(Batch_run& batch) {
   while (const auto letter = mailbox_.receive()) {
     Worker& sender = worker(letter->rank);
-    if (sender.is_lost) // and now is back: too late
+    if (sender.is_lost) { // and now is back: too late, but it is to wait for the end
+      mailbox_.send({letter->rank, alive, ""});
       continue;
-    sender.heard = Clock::now();
+    }
+    sender.silence.end();
     if (letter->kind == ready) {
       const std::size_t space = letter->text.find(' ');
       sender.host = letter->text.substr(space + 1);
@@ -94,16 +96,17 @@ void Mpi_leader::receive(Batch_run& batch) {
   }
 }
 
+// One file at most, as to look whether it is up to date takes time.
 void Mpi_leader::hand_out(Batch_run& batch) {
-  for (std::size_t r = 1; r < workers_.size(); ++r) {
-    if (!workers_[r].is_ready || workers_[r].is_lost)
-      continue;
-    workers_[r].task = batch.next();
-    if (!workers_[r].task)
-      return;
-    workers_[r].is_ready = false;
-    mailbox_.send({static_cast<int>(r), task, batch.file(*workers_[r].task).input});
-  }
+  const auto idle = std::find_if(workers_.begin(), workers_.end(),
+                                 [](const Worker& w) { return w.is_ready && !w.is_lost; });
+  if (idle == workers_.end())
+    return;
+  idle->task = batch.try_next();
+  if (!idle->task)
+    return;
+  idle->is_ready = false;
+  mailbox_.send({static_cast<int>(idle - workers_.begin()), task, batch.file(*idle->task).input});
 }
 
 void Mpi_leader::look_after(Batch_run& batch) {
@@ -113,7 +116,7 @@ void Mpi_leader::look_after(Batch_run& batch) {
     if (workers_[r].is_lost)
       continue;
     mailbox_.send({static_cast<int>(r), alive, ""});
-    if (Clock::now() - workers_[r].heard > std::chrono::duration<double>(timeout_))
+    if (workers_[r].silence.seconds() > timeout_)
       lose(r, batch);
   }
 }
@@ -142,9 +145,8 @@ void Mpi_leader::tell_who_was_at_work(Batch_run& batch) const {
 }
 
 void Mpi_leader::stop() {
-  for (std::size_t r = 1; r < workers_.size(); ++r)
-    if (!workers_[r].is_lost)
-      mailbox_.send({static_cast<int>(r), Mpi_message::stop, has_all() ? everybody : ""});
+  for (std::size_t r = 1; r < workers_.size(); ++r) // those that count as lost may live
+    mailbox_.send({static_cast<int>(r), Mpi_message::stop, has_all() ? everybody : ""});
   constexpr std::chrono::seconds grace(2); // for those that do not listen any more
   const Clock::time_point end = Clock::now() + grace;
   while (!mailbox_.is_delivered() && Clock::now() < end)

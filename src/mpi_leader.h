@@ -34,7 +34,7 @@ private:
     std::string host;
     std::optional<std::size_t> task;
     bool is_ready = false, is_lost = false;
-    Clock::time_point heard = Clock::now();
+    Mpi_silence silence;
   };
 
   void share(Batch_run& batch);

@@ -11,6 +11,7 @@
 #include <boost/mpi/request.hpp>
 #include <boost/mpi/status.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <list>
@@ -103,6 +104,29 @@ public:
 
 private:
   Clock::time_point last_ = Clock::now();
+};
+
+// Counts the seconds in which nothing is heard of a rank. Of the time for which this process itself
+// is away, because it reads a large file or is stopped, one second counts: letters may be waiting.
+class Mpi_silence {
+public:
+  using Clock = std::chrono::steady_clock;
+
+  void end() {
+    seconds_ = 0;
+    asked_ = Clock::now();
+  }
+  // To be asked about twice a second or more often.
+  double seconds() {
+    const Clock::time_point now = Clock::now();
+    seconds_ += (std::min)(std::chrono::duration<double>(now - asked_).count(), 1.0);
+    asked_ = now;
+    return seconds_;
+  }
+
+private:
+  double seconds_ = 0;
+  Clock::time_point asked_ = Clock::now();
 };
 
 inline void wait_a_little() {

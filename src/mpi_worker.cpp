@@ -10,18 +10,19 @@
 #include <boost/mpi/environment.hpp>
 #include <nlohmann/json.hpp>
 
+#include <chrono>
 #include <string>
 
 namespace multipatch {
 
 bool Mpi_worker::run() {
-  // Rank 0 may be silent while it looks at many files that are up to date.
-  const std::chrono::duration<double> patience(10 * settings_.options.batch.rank_timeout);
+  // Rank 0 may be silent while it looks whether a large file is up to date.
+  const double patience = 10 * settings_.options.batch.rank_timeout;
   mailbox_.send(
       {0, ready, std::to_string(settings_.hash) + ' ' + boost::mpi::environment::processor_name()});
   for (;; wait_a_little()) {
     while (const auto letter = mailbox_.receive()) {
-      heard_ = Clock::now();
+      silence_.end();
       if (letter->kind == stop)
         return letter->text == everybody;
       if (letter->kind == task)
@@ -32,7 +33,7 @@ bool Mpi_worker::run() {
     if (heartbeat_.is_due())
       mailbox_.send({0, alive, ""});
     mailbox_.is_delivered();
-    if (Clock::now() - heard_ > patience)
+    if (silence_.seconds() > patience)
       throw CGAL::Multisided_patches::Error("rank " + std::to_string(rank_) + ": rank 0 is lost");
   }
 }

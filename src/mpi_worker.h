@@ -9,7 +9,6 @@
 #include "batch_job.h"
 #include "mpi_messages.h"
 
-#include <chrono>
 #include <future>
 
 namespace multipatch {
@@ -25,8 +24,6 @@ public:
   bool run();
 
 private:
-  using Clock = std::chrono::steady_clock;
-
   void begin(const std::string& input);
   void tell_outcome();
 
@@ -34,7 +31,7 @@ private:
   int rank_;
   const Batch_settings& settings_;
   Mpi_heartbeat heartbeat_;
-  Clock::time_point heard_ = Clock::now();
+  Mpi_silence silence_;
   Batch_file file_;
   std::future<Batch_record> record_; // of the file, while it is meshed
 };

@@ -46,8 +46,8 @@ namespace IO {
  * \param in the stream
  * \param name what error messages call the stream
  *
- * \throws Input_error naming the line and column, or the place in the data as a JSON pointer, and what was
- * expected there
+ * \throws Input_error naming the line and column, or the place in the data as a JSON pointer, and
+ * what was expected there
  */
 template <typename Traits>
 Any_patch_model<Traits> read_patch_json(std::istream& in, const std::string& name) {
