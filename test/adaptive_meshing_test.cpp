@@ -184,7 +184,6 @@ TEST_CASE("Several bounds together are all kept") {
   const auto density = Density::chordal_deviation(chordal) & Density::normal_deviation(8) & length;
   const Domain_mesh domain_mesh = MP::mesh_domain(patch, density);
   const Deviations deviations(patch, domain_mesh);
-
   CHECK(deviations.chordal <= chordal);
   CHECK(deviations.normal <= 8);
   Mesh mesh;
