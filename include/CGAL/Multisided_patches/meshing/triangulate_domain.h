@@ -16,6 +16,7 @@
 #include <CGAL/Multisided_patches/meshing/internal/even_parameters.h>
 
 #include <CGAL/assertions.h>
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <cmath>
@@ -36,6 +37,9 @@ namespace Multisided_patches {
  * long segments of the boundary meet. Where neither is the case they are at least 30 degrees in
  * practice.
  *
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the
+ * result is the same, bit for bit
+ *
  * \param domain the domain
  * \param segments for each side, into how many segments of equal length it is divided, at least 1
  * \param spacing the length that edges inside are to have on the average (domain units), greater
@@ -50,7 +54,7 @@ namespace Multisided_patches {
  *
  * Complexity: O(m log m) for m points in practice.
  */
-template <typename Traits>
+template <typename ConcurrencyTag = Parallel_if_available_tag, typename Traits>
 Domain_mesh_2<Traits> triangulate_domain(const Polygonal_domain_2<Traits>& domain,
                                          const std::vector<std::size_t>& segments, double spacing,
                                          int smoothing_sweeps = 0) {
@@ -65,7 +69,7 @@ Domain_mesh_2<Traits> triangulate_domain(const Polygonal_domain_2<Traits>& domai
   internal::Side_parameters sides;
   for (const std::size_t m : segments)
     sides.push_back(internal::even_parameters(m));
-  using Mesher = internal::Domain_mesher<Traits, internal::Uniform_metric>;
+  using Mesher = internal::Domain_mesher<Traits, internal::Uniform_metric, ConcurrencyTag>;
   const internal::Uniform_metric metric(spacing);
   Mesher mesher(domain, sides, metric, std::vector<std::size_t>(domain.size(), 0),
                 Mesher::possible_halvings(sides, triangles));

@@ -9,10 +9,12 @@
 #include <CGAL/Multisided_patches/errors.h>
 #include <CGAL/Multisided_patches/internal/Boundary_triangulation.h>
 #include <CGAL/Multisided_patches/internal/Linked_triangle.h>
+#include <CGAL/Multisided_patches/internal/for_each_index.h>
 #include <CGAL/Multisided_patches/internal/to_text.h>
 #include <CGAL/Multisided_patches/meshing/Domain_mesh_2.h>
 #include <CGAL/Multisided_patches/meshing/internal/Edge_halver.h>
 #include <CGAL/Multisided_patches/meshing/internal/Metric_refiner.h>
+#include <CGAL/Multisided_patches/meshing/internal/refine_where_needed.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -33,13 +35,16 @@ using Side_parameters = std::vector<std::vector<double>>;
 // A large mesh begins as a coarse one, on some of the samples, with edges 2 or 4 or more times as
 // long as wanted. Then these are halved, which takes in the other samples; and what is not good
 // enough after that, near the sides mostly, is refined point by point.
-template <typename Traits, typename Field>
+//
+// The concurrency tag says how edges are halved. The mesh is the same, bit for bit.
+template <typename Traits, typename Field, typename ConcurrencyTag>
 class Domain_mesher {
 public:
   using Domain = Polygonal_domain_2<Traits>;
   using Mesh = Domain_mesh_2<Traits>;
   using Location = typename Domain::Location;
   using FT = typename Traits::FT;
+  using Point_2 = typename Traits::Point_2;
 
   // How many times the edges of a coarse mesh can be halved to get so many triangles. The coarse
   // mesh has to show the shape of the domain, and how the metric changes; and where most points are
@@ -68,14 +73,10 @@ public:
         metric_.add(to_uv(mesh_.points[k]), hint);
         hint = metric_.hint(k);
       }
-    choose_samples(sides, 1);
-    start_with(next_points());
-    if (halvings == 0)
-      return;
-    // Now that we know that all samples can be triangulated, some are enough for a beginning.
     choose_samples(sides, std::size_t(1) << halvings);
-    start_with(next_points());
-    metric_.scale_lengths(1. / (1 << halvings));
+    if (halvings > 0)
+      metric_.scale_lengths(1. / (1 << halvings));
+    start_with(next_points(segments_));
   }
   Domain_mesher(const Domain_mesher&) = delete;
   Domain_mesher& operator=(const Domain_mesher&) = delete;
@@ -104,19 +105,27 @@ public:
   void halve_edges(std::size_t max_points, const Progress& progress) {
     if (halvings_ == 0)
       return;
+    check_all_samples();
     refiner_->smooth(coarse_sweeps);
-    if (!try_to_halve_edges(progress)) { // then the points inside are looked for one by one
+    if (try_to_halve_edges(progress)) {
+      refine_where_needed<ConcurrencyTag, Traits>(mesh_.points, metric_, triangles_, max_points,
+                                                  progress);
+      mesh_.locations.resize(mesh_.points.size(), Location::interior());
+    } else { // then the points inside are looked for one by one
       mesh_.points.resize(mesh_.number_of_boundary_points);
-      metric_.shrink(mesh_.number_of_boundary_points);
-      std::fill(segments_.begin(), segments_.end(), 1);
-      start_with(next_points());
+      metric_.resize(mesh_.number_of_boundary_points);
+      start_with(all_next_points());
+      refine(max_points, progress);
     }
-    refine(max_points, progress);
-    refiner_->smooth_where_sharp(sharp_sweeps, progress);
   }
 
   void keep_off_sides(double share_of_length) { refiner_->keep_off_sides(share_of_length); }
-  void smooth(int sweeps) { refiner_->smooth(sweeps); }
+  void smooth(int sweeps) {
+    if (sweeps > 0 && !triangulation_)
+      start_with(triangles_);
+    if (sweeps > 0)
+      refiner_->smooth(sweeps);
+  }
   // Divides triangles, given by their numbers in triangles().
   void divide(const std::vector<std::size_t>& triangles) {
     refiner_->divide(triangles);
@@ -129,33 +138,43 @@ public:
 
   // The finished mesh. Ends the use of this object.
   Mesh finish() {
-    const std::vector<Linked_triangle> triangles = triangulation_->triangles();
-    triangulation_->triangulation().clear();
-    mesh_.triangles.reserve(triangles.size());
-    for (const Linked_triangle& t : triangles)
-      mesh_.triangles.push_back(t.vertices);
+    if (triangulation_) {
+      triangles_ = triangulation_->triangles();
+      triangulation_.reset();
+    }
+    mesh_.triangles.resize(triangles_.size());
+    for_each_index<ConcurrencyTag>(
+        triangles_.size(), [&](std::size_t t) { mesh_.triangles[t] = triangles_[t].vertices; });
     return std::move(mesh_);
   }
 
 private:
-  static constexpr int coarse_sweeps = 2, sharp_sweeps = 5;
+  static constexpr int coarse_sweeps = 2;
 
-  // Returns false if rounding is in the way.
+  // Throws Numerical_error, as start_with() does, if not all samples can be triangulated: a coarse
+  // mesh is without some of them.
+  void check_all_samples() const {
+    const std::vector<Point_2> samples(
+        mesh_.points.begin(),
+        mesh_.points.begin() + static_cast<std::ptrdiff_t>(mesh_.number_of_boundary_points));
+    Boundary_triangulation<Traits>(samples, all_next_points());
+  }
+
+  // Replaces the triangulation by triangles_. Returns false if rounding is in the way.
   template <typename Progress>
   bool try_to_halve_edges(const Progress& progress) {
-    std::vector<Linked_triangle> triangles;
-    {
-      Edge_halver<Traits, Field> halver(mesh_.points, metric_, triangulation_->triangles(),
-                                        segments_);
-      metric_.scale_lengths(1 << halvings_);
-      for (std::size_t length = std::size_t(1) << halvings_; length > 1; length /= 2)
-        if (!halver.halve(static_cast<double>(length), length / 2, progress))
-          return false;
-      triangles = halver.take_triangles();
-    }
-    start_with(triangles);
-    triangles = {};
-    refiner_->smooth_where_sharp(sharp_sweeps, progress);
+    const std::size_t expected_points = expected_triangles() * 5 / 9;
+    mesh_.points.reserve(expected_points);
+    metric_.reserve(expected_points);
+    Edge_halver<Traits, Field, ConcurrencyTag> halver(mesh_.points, metric_,
+                                                      triangulation_->triangles(), segments_);
+    metric_.scale_lengths(1 << halvings_);
+    for (std::size_t length = std::size_t(1) << halvings_; length > 1; length /= 2)
+      if (!halver.halve(static_cast<double>(length), length / 2, progress))
+        return false;
+    triangles_ = halver.take_triangles();
+    refiner_.reset();
+    triangulation_.reset();
     return true;
   }
 
@@ -218,16 +237,20 @@ private:
   }
 
   // For those the one that follows it on the boundary.
-  std::vector<std::size_t> next_points() const {
-    std::vector<std::size_t> next(segments_.size(), Linked_triangle::none);
+  std::vector<std::size_t> next_points(const std::vector<std::size_t>& segments) const {
+    std::vector<std::size_t> next(segments.size(), Linked_triangle::none);
     for (std::size_t loop = 0; loop < first_points_.size(); ++loop) {
       const std::size_t first = first_points_[loop], end = loop + 1 < first_points_.size()
                                                                ? first_points_[loop + 1]
-                                                               : segments_.size();
-      for (std::size_t k = first; k < end; k += segments_[k])
-        next[k] = k + segments_[k] < end ? k + segments_[k] : first;
+                                                               : segments.size();
+      for (std::size_t k = first; k < end; k += segments[k])
+        next[k] = k + segments[k] < end ? k + segments[k] : first;
     }
     return next;
+  }
+  // For each point on the boundary.
+  std::vector<std::size_t> all_next_points() const {
+    return next_points(std::vector<std::size_t>(mesh_.number_of_boundary_points, 1));
   }
 
   Mesh mesh_;
@@ -239,6 +262,7 @@ private:
   std::vector<std::size_t> segments_;
   std::optional<Boundary_triangulation<Traits>> triangulation_;
   std::optional<Metric_refiner<Traits, Field>> refiner_;
+  std::vector<Linked_triangle> triangles_; // once edges have been halved, instead of these
 };
 
 } // namespace internal

@@ -7,11 +7,13 @@
 #define CGAL_MULTISIDED_PATCHES_MESHING_INTERNAL_EDGE_HALVER_H
 
 #include <CGAL/Multisided_patches/internal/Linked_triangle.h>
+#include <CGAL/Multisided_patches/internal/for_each_index.h>
 #include <CGAL/Multisided_patches/meshing/internal/Metric_at_points.h>
 #include <CGAL/Multisided_patches/meshing/internal/triangle_patterns.h>
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -23,7 +25,9 @@ namespace internal {
 // Makes a fine mesh of a domain from a coarse one by halving edges, all at the same time: far
 // faster than by points that are looked for one by one. Triangles keep their shapes, but for those
 // on sides, where the samples are not in the middles of the edges.
-template <typename Traits, typename Field>
+//
+// The result does not depend on the number of threads.
+template <typename Traits, typename Field, typename ConcurrencyTag>
 class Edge_halver {
 public:
   using Point_2 = typename Traits::Point_2;
@@ -46,49 +50,89 @@ public:
   template <typename Progress>
   bool halve(double length, std::size_t max_segments, const Progress& progress) {
     // The geometric mean of the length and its half: the longer ones are nearer to the length.
-    const double max_squared_length = length * length / 2;
-    find_middles(max_squared_length, max_segments, progress);
+    find_long_edges(length * length / 2, progress);
+    add_middles(max_segments, progress);
     find_children();
-    std::vector<Linked_triangle> children(first_child_.back());
-    for (std::size_t t = 0; t < triangles_.size(); ++t)
+    std::vector<Linked_triangle> children;
+    children.reserve(first_child_.back() + first_child_.back() / 32); // for those added later
+    children.resize(first_child_.back());
+    std::atomic<bool> is_valid(true);
+    for_each_triangle(progress, [&](std::size_t t) {
       if (!divide(t, children.data() + first_child_[t]))
-        return false;
+        is_valid.store(false, std::memory_order_relaxed);
+    });
     triangles_ = std::move(children);
-    return true;
+    return is_valid.load();
   }
 
 private:
   static constexpr std::size_t none = Linked_triangle::none;
+
+  // Calls f(t) for each triangle, in parallel, and progress(number of points) in between.
+  template <typename Progress, typename Function>
+  void for_each_triangle(const Progress& progress, const Function& f) const {
+    constexpr std::size_t block = 1 << 16, grain = 512;
+    for (std::size_t first = 0; first < triangles_.size(); first += block) {
+      progress(points_.size());
+      for_each_index<ConcurrencyTag>((std::min)(block, triangles_.size() - first),
+                                     [&](std::size_t k) { f(first + k); }, grain);
+    }
+  }
 
   static int opposite(const Linked_triangle& t, std::size_t neighbor) {
     return static_cast<int>(std::find(t.neighbors.begin(), t.neighbors.end(), neighbor) -
                             t.neighbors.begin());
   }
 
-  // The points in the middles of the edges that are to be halved. Edges between two triangles are
-  // the business of the first one.
+  // Edges between two triangles are the business of the first one, and so are their middles.
+  static bool is_edge_of(std::size_t t, std::size_t neighbor) { return neighbor > t; }
+
+  // The edges inside that are to be halved.
   template <typename Progress>
-  void find_middles(double max_squared_length, std::size_t max_segments, const Progress& progress) {
-    constexpr std::size_t block = 4096;
-    middles_.assign(triangles_.size(), {none, none, none});
-    std::vector<char> is_narrow(triangles_.size());
-    for (std::size_t t = 0; t < triangles_.size(); ++t)
-      is_narrow[t] = this->is_narrow(triangles_[t]);
-    for (std::size_t t = 0; t < triangles_.size(); ++t) {
-      if (t % block == 0)
-        progress(points_.size());
+  void find_long_edges(double max_squared_length, const Progress& progress) {
+    is_narrow_.resize(triangles_.size());
+    for_each_triangle(progress,
+                      [&](std::size_t t) { is_narrow_[t] = this->is_narrow(triangles_[t]); });
+    is_long_.resize(triangles_.size());
+    for_each_triangle(progress, [&](std::size_t t) {
       for (int i = 0; i < 3; ++i) {
-        const std::size_t neighbor = triangles_[t].neighbors[i],
-                          a = triangles_[t].vertices[(i + 1) % 3],
-                          b = triangles_[t].vertices[(i + 2) % 3];
-        if (neighbor == none)
-          middles_[t][i] = middle_of_side(a, max_segments);
-        else if (neighbor < t)
-          middles_[t][i] = middles_[neighbor][opposite(triangles_[neighbor], t)];
-        else if (squared_length(a, b) > max_squared_length && !is_narrow[t] && !is_narrow[neighbor])
-          middles_[t][i] = add_middle(a, b);
+        const std::size_t neighbor = triangles_[t].neighbors[i];
+        is_long_[t][i] = neighbor != none && is_edge_of(t, neighbor) && !is_narrow_[t] &&
+                         !is_narrow_[neighbor] &&
+                         squared_length(triangles_[t].vertices[(i + 1) % 3],
+                                        triangles_[t].vertices[(i + 2) % 3]) > max_squared_length;
       }
-    }
+    });
+  }
+
+  // Appends the middles of the long edges, and finds those of the edges on sides.
+  template <typename Progress>
+  void add_middles(std::size_t max_segments, const Progress& progress) {
+    std::vector<std::size_t> first_middle{points_.size()}; // of each triangle
+    first_middle.reserve(triangles_.size() + 1);
+    for (const std::array<bool, 3>& is_long : is_long_)
+      first_middle.push_back(first_middle.back() + is_long[0] + is_long[1] + is_long[2]);
+    points_.resize(first_middle.back());
+    metric_.resize(first_middle.back());
+    middles_.resize(triangles_.size());
+    for_each_triangle(progress, [&](std::size_t t) {
+      const auto& v = triangles_[t].vertices;
+      std::size_t next = first_middle[t];
+      for (int i = 0; i < 3; ++i)
+        if (triangles_[t].neighbors[i] == none)
+          middles_[t][i] = middle_of_side(v[(i + 1) % 3], max_segments);
+        else if (is_long_[t][i])
+          set_middle(middles_[t][i] = next++, v[(i + 1) % 3], v[(i + 2) % 3]);
+        else
+          middles_[t][i] = none;
+    });
+    for_each_triangle(progress, [&](std::size_t t) {
+      for (int i = 0; i < 3; ++i) {
+        const std::size_t neighbor = triangles_[t].neighbors[i];
+        if (!is_edge_of(t, neighbor))
+          middles_[t][i] = middles_[neighbor][opposite(triangles_[neighbor], t)];
+      }
+    });
   }
 
   std::size_t middle_of_side(std::size_t a, std::size_t max_segments) {
@@ -103,10 +147,7 @@ private:
   // Whether the middles of edges would be too close to the other sides of a triangle.
   bool is_narrow(const Linked_triangle& t) const {
     constexpr double least_height = 0.9;
-    const auto& v = t.vertices;
-    const Metric_triangle triangle(
-        {to_uv(points_[v[0]]), to_uv(points_[v[1]]), to_uv(points_[v[2]])},
-        1. / 3 * (metric_[v[0]] + metric_[v[1]] + metric_[v[2]]));
+    const Metric_triangle triangle = metric_.triangle(points_, t.vertices);
     const double longest = (std::max)(
         {triangle.squared_length(0), triangle.squared_length(1), triangle.squared_length(2)});
     return 4 * triangle.area() * triangle.area() < least_height * least_height * longest;
@@ -117,15 +158,15 @@ private:
     return m.squared_norm(to_uv(points_[b]) - to_uv(points_[a]));
   }
 
-  std::size_t add_middle(std::size_t a, std::size_t b) {
+  void set_middle(std::size_t middle, std::size_t a, std::size_t b) {
     const Uv p = 0.5 * (to_uv(points_[a]) + to_uv(points_[b]));
-    points_.push_back(Point_2(typename Traits::FT(p.x), typename Traits::FT(p.y)));
-    metric_.add(p, metric_.hint(a));
-    return points_.size() - 1;
+    points_[middle] = Point_2(typename Traits::FT(p.x), typename Traits::FT(p.y));
+    metric_.set(middle, p, metric_.hint(a));
   }
 
   void find_children() {
     first_child_.assign(1, 0);
+    first_child_.reserve(triangles_.size() + 1);
     for (std::size_t t = 0; t < triangles_.size(); ++t)
       first_child_.push_back(first_child_.back() + pattern(t).number_of_children);
   }
@@ -171,6 +212,8 @@ private:
   std::vector<Linked_triangle> triangles_;
   std::vector<std::size_t> segments_;
   // By triangle, while edges are halved.
+  std::vector<char> is_narrow_;
+  std::vector<std::array<bool, 3>> is_long_;
   std::vector<std::array<std::size_t, 3>> middles_;
   std::vector<std::size_t> first_child_; // and one past the last child
 };

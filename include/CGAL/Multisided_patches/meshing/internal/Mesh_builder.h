@@ -13,8 +13,8 @@
 #include <CGAL/Multisided_patches/meshing/Domain_mesh_2.h>
 #include <CGAL/Multisided_patches/meshing/Mesh_maps.h>
 #include <CGAL/Multisided_patches/meshing/Tessellation_visitor.h>
+#include <CGAL/Multisided_patches/meshing/internal/Open_edges.h>
 #include <CGAL/Multisided_patches/meshing/internal/Scaled_surface.h>
-#include <CGAL/Multisided_patches/meshing/internal/opposite_half_edges.h>
 #include <CGAL/Multisided_patches/patches/Surface_geometry_3.h>
 
 #include <CGAL/boost/graph/helpers.h>
@@ -26,7 +26,6 @@
 #include <array>
 #include <cstddef>
 #include <limits>
-#include <map>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -136,8 +135,8 @@ void put_if_wanted([[maybe_unused]] const Map& map, [[maybe_unused]] const Key& 
     put(map, key, value);
 }
 
-// Adds patches to a mesh of any kind. Which triangles are neighbours is known beforehand, so that
-// nothing is looked for in the mesh; where patches meet, edges are found by their vertices.
+// Adds patches to a mesh of any kind. Triangles, of one patch or of several, are joined where they
+// have the numbers of two vertices in common; nothing is looked for in the mesh.
 template <typename FaceGraph, typename Maps>
 class Mesh_builder {
   using Graph = boost::graph_traits<FaceGraph>;
@@ -166,37 +165,30 @@ public:
            const std::vector<std::size_t>& numbers) {
     add_vertices(patch, numbers);
     const auto& triangles = patch.domain_mesh->triangles;
-    const std::vector<std::size_t> opposites = opposite_half_edges(triangles, numbers.size());
-    std::vector<Halfedge> halfedges(opposites.size());
-    for (std::size_t t = 0; t < triangles.size(); ++t) {
-      const std::array<std::size_t, 3> corners{numbers[triangles[t][0]], numbers[triangles[t][1]],
-                                               numbers[triangles[t][2]]};
-      for (std::size_t h = 3 * t; h < 3 * t + 3; ++h) {
-        const std::size_t o = opposites[h];
-        const std::size_t from = corners[h - 3 * t], to = corners[(h + 1 - 3 * t) % 3];
-        halfedges[h] = o == no_half_edge ? halfedge_on_border(from, to)
-                       : o < h           ? opposite(halfedges[o], mesh_)
-                                         : new_halfedge(from, to);
-      }
-      const Face face = face_of({halfedges[3 * t], halfedges[3 * t + 1], halfedges[3 * t + 2]});
+    for (const std::array<std::size_t, 3>& t : triangles) {
+      std::array<Halfedge, 3> halfedges;
+      for (std::size_t i = 0; i < 3; ++i)
+        halfedges[i] = halfedge_from_to(numbers[t[i]], numbers[t[(i + 1) % 3]]);
+      const Face face = face_of(halfedges);
       put_if_wanted(maps_.patch, face, index);
       if constexpr (is_wanted<decltype(Maps::side)>)
-        put_sides(patch, triangles[t], halfedges.data() + 3 * t);
+        put_sides(patch, t, halfedges);
     }
   }
 
   // Links the halfedges on the border of what was added.
   void finish() {
-    for (const auto& [ends, halfedge] : border_) {
+    border_.for_each(
+        [this](std::size_t, std::size_t, Halfedge h) { set_face(h, Graph::null_face(), mesh_); });
+    border_.for_each([this](std::size_t, std::size_t end, Halfedge h) {
       // Around the vertex where it ends, from face to face, up to the next one on the border.
-      Halfedge other = opposite(halfedge, mesh_);
+      Halfedge other = opposite(h, mesh_);
       do
         other = opposite(prev(other, mesh_), mesh_);
       while (face(other, mesh_) != Graph::null_face());
-      set_next(halfedge, other, mesh_);
-      set_halfedge(vertices_[ends.second], halfedge, mesh_);
-    }
-    border_.clear();
+      set_next(h, other, mesh_);
+      set_halfedge(vertices_[end], h, mesh_);
+    });
   }
 
 private:
@@ -233,7 +225,7 @@ private:
   // The halfedges of a triangle between consecutive vertices of a side.
   template <typename Patch>
   void put_sides(const Patch_mesh<Patch>& patch, const std::array<std::size_t, 3>& t,
-                 const Halfedge* halfedges) {
+                 const std::array<Halfedge, 3>& halfedges) {
     const auto& mesh = *patch.domain_mesh;
     for (int i = 0; i < 3; ++i) {
       const std::size_t from = t[i], to = t[(i + 1) % 3];
@@ -251,25 +243,14 @@ private:
     }
   }
 
-  // An edge, of which this halfedge gets a face.
-  Halfedge new_halfedge(std::size_t from, std::size_t to) {
-    const Halfedge h = halfedge(add_edge(mesh_), mesh_);
+  // For a new triangle: of an edge that is there already, or of a new one.
+  Halfedge halfedge_from_to(std::size_t from, std::size_t to) {
+    if (const auto open = border_.take(from, to))
+      return *open;
+    const Halfedge h = halfedge(add_edge(mesh_), mesh_), o = opposite(h, mesh_);
     set_target(h, vertices_[to], mesh_);
-    set_target(opposite(h, mesh_), vertices_[from], mesh_);
-    return h;
-  }
-
-  // The same where there is no other triangle in the patch: there may be one in another patch.
-  Halfedge halfedge_on_border(std::size_t from, std::size_t to) {
-    const auto other = border_.find({from, to});
-    if (other != border_.end()) {
-      const Halfedge h = other->second;
-      border_.erase(other);
-      return h;
-    }
-    const Halfedge h = new_halfedge(from, to), o = opposite(h, mesh_);
-    set_face(o, Graph::null_face(), mesh_);
-    border_.emplace(std::make_pair(to, from), o);
+    set_target(o, vertices_[from], mesh_);
+    border_.add(to, from, o);
     return h;
   }
 
@@ -287,8 +268,7 @@ private:
   FaceGraph& mesh_;
   Maps maps_;
   std::vector<Vertex> vertices_; // by number
-  // The halfedges without a face, by the numbers of the vertices where they start and end.
-  std::map<std::pair<std::size_t, std::size_t>, Halfedge> border_;
+  Open_edges<Halfedge> border_;
 };
 
 } // namespace internal

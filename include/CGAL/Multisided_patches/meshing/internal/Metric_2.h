@@ -97,6 +97,24 @@ private:
   double area_;
 };
 
+// Whether a triangle asks for a point inside: it is too large to have edges of about length 1, or
+// so sharp that refinement can do better.
+inline bool is_too_large_or_sharp(const Metric_triangle& t) {
+  // Of triangles with edges of length 1 it is 0.58.
+  constexpr double max_circumradius = 0.74;
+  // The ratio of circumradius and shortest edge where the sharpest angle is 20.7 degrees.
+  constexpr double max_ratio = 1.4143;
+  const double square = t.squared_circumradius();
+  return !(square <= max_circumradius * max_circumradius) ||
+         square > max_ratio * max_ratio * t.squared_length(t.shortest_edge());
+}
+
+// Whether a triangle ought to be smoothed: it has an angle below 32 degrees.
+inline bool is_sharp(const Metric_triangle& t) {
+  constexpr double max_squared_ratio = 0.89; // of circumradius and shortest edge
+  return t.squared_circumradius() > max_squared_ratio * t.squared_length(t.shortest_edge());
+}
+
 // Whether the quadrilateral a, b, c, d, counterclockwise, is better divided by b d than by a c: its
 // angles at b and d, opposite to a c, are larger than π together.
 inline bool prefers_other_diagonal(const Uv& a, const Uv& b, const Uv& c, const Uv& d,

@@ -8,6 +8,7 @@
 
 #include <CGAL/Multisided_patches/meshing/internal/Metric_2.h>
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -27,15 +28,45 @@ public:
   std::size_t size() const { return metrics_.size(); }
   const Metric_2& operator[](std::size_t k) const { return metrics_[k]; }
   std::size_t hint(std::size_t k) const { return hints_[k]; }
+  // A triangle, given by the numbers of its corners.
+  template <typename Point_2>
+  Metric_triangle triangle(const std::vector<Point_2>& points,
+                           const std::array<std::size_t, 3>& v) const {
+    return Metric_triangle({to_uv(points[v[0]]), to_uv(points[v[1]]), to_uv(points[v[2]])},
+                           1. / 3 * (metrics_[v[0]] + metrics_[v[1]] + metrics_[v[2]]));
+  }
 
+  void reserve(std::size_t n) {
+    metrics_.reserve(n);
+    hints_.reserve(n);
+  }
   void add(const Uv& p, std::size_t hint) {
     metrics_.push_back(scale_ * field_(p, hint));
     hints_.push_back(hint);
   }
-  // Keeps the first n.
-  void shrink(std::size_t n) {
+  // Keeps the first n, or makes room for points that are set later.
+  void resize(std::size_t n) {
     metrics_.resize(n);
     hints_.resize(n);
+  }
+  // Threads may do so at the same time for different k.
+  void set(std::size_t k, const Uv& p, std::size_t hint) {
+    metrics_[k] = scale_ * field_(p, hint);
+    hints_[k] = hint;
+  }
+
+  // The metric at some of the points, in their order.
+  Metric_at_points part(const std::vector<std::size_t>& points) const {
+    Metric_at_points result(field_);
+    result.scale_ = scale_;
+    for (const std::size_t k : points)
+      result.copy(*this, k);
+    return result;
+  }
+  // Adds point k of another one.
+  void copy(const Metric_at_points& other, std::size_t k) {
+    metrics_.push_back(other.metrics_[k]);
+    hints_.push_back(other.hints_[k]);
   }
 
   // Multiplies all lengths, also those at points that are added later.

@@ -72,7 +72,7 @@ public:
       const Face_handle f = queue.front();
       queue.pop_front();
       f->info() = idle;
-      if (is_bad(triangle(f)))
+      if (is_too_large_or_sharp(triangle(f)))
         refine(f);
       if (number_of_points() >= next_report) {
         progress(number_of_points());
@@ -114,10 +114,6 @@ public:
 private:
   enum State : std::size_t { idle, queued };
 
-  // Circumradii of triangles with edges of length 1 are 0.58.
-  static constexpr double max_circumradius = 0.74;
-  // The ratio of circumradius and shortest edge where the sharpest angle is 20.7 degrees.
-  static constexpr double max_radius_edge_ratio = 1.4143;
   // An edge up to this length is one to which a front can be attached.
   static constexpr double max_front_edge = 1.5;
   // How fast triangles grow away from short edges.
@@ -125,18 +121,11 @@ private:
   // The least distance of new points from sides and from other points, relative to the wanted one.
   static constexpr double margin = 0.45;
 
-  static bool is_bad(const Metric_triangle& t) {
-    const double square = t.squared_circumradius();
-    return !(square <= max_circumradius * max_circumradius) ||
-           square >
-               max_radius_edge_ratio * max_radius_edge_ratio * t.squared_length(t.shortest_edge());
-  }
-
   void enqueue_if_bad(Face_handle f) {
     if (f->info() == queued)
       return;
     const Metric_triangle t = triangle(f);
-    if (!is_bad(t))
+    if (!is_too_large_or_sharp(t))
       return;
     f->info() = queued;
     const bool is_front = t.squared_length(t.shortest_edge()) <= max_front_edge * max_front_edge;

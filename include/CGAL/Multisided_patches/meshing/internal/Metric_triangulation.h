@@ -120,8 +120,8 @@ public:
     }
   }
 
-  // Does the same to the points of triangles with an angle below 32 degrees, and around these. Now
-  // and then it calls progress(number of points).
+  // Does the same to the points of sharp triangles, and around these. Now and then it calls
+  // progress(number of points).
   template <typename Progress>
   void smooth_where_sharp(int sweeps, const Progress& progress) {
     std::vector<Face_handle> faces = faces_inside();
@@ -225,7 +225,6 @@ private:
   // The points that may be moved of sharp triangles and of those around them.
   std::vector<Vertex_handle>
   points_of_sharp_triangles(const std::vector<Face_handle>& faces) const {
-    constexpr double max_squared_ratio = 0.89; // of circumradius and shortest edge
     std::vector<bool> is_corner(points_.size(), false), is_found(points_.size(), false);
     std::vector<Vertex_handle> vertices;
     const auto add_points_of = [&](Face_handle f) {
@@ -238,8 +237,7 @@ private:
       }
     };
     for (const Face_handle f : faces) {
-      const Metric_triangle t = triangle(f);
-      if (t.squared_circumradius() > max_squared_ratio * t.squared_length(t.shortest_edge()))
+      if (is_sharp(triangle(f)))
         for (int i = 0; i < 3; ++i)
           if (!is_corner[f->vertex(i)->info()]) {
             is_corner[f->vertex(i)->info()] = true;

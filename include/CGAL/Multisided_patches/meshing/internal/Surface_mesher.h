@@ -125,7 +125,7 @@ private:
   using Point_2 = typename Traits::Point_2;
   using Surface = Scaled_surface<Patch>;
   using Meter = Deviation_meter<Surface>;
-  using Mesher = Domain_mesher<Traits, Surface_metric>;
+  using Mesher = Domain_mesher<Traits, Surface_metric, ConcurrencyTag>;
 
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   // Where nothing else limits them, relative to the size of the patch.
@@ -166,8 +166,8 @@ private:
       sides.push_back(even_parameters(
           static_cast<std::size_t>(std::ceil((std::max)(1.0, domain().side_length(i) / spacing)))));
     const Uniform_metric metric(spacing);
-    Domain_mesher<Traits, Uniform_metric> mesher(domain(), sides, metric,
-                                                 std::vector<std::size_t>(domain().size(), 0));
+    Domain_mesher<Traits, Uniform_metric, ConcurrencyTag> mesher(
+        domain(), sides, metric, std::vector<std::size_t>(domain().size(), 0));
     refine(mesher, static_cast<std::size_t>(triangles));
     sample(mesher, coarse_);
     coarse_metric_ = Surface_metric(coarse_);

@@ -1,0 +1,173 @@
+// Copyright (c) 2026 The CGAL Multisided Patches project.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_MULTISIDED_PATCHES_MESHING_INTERNAL_MESH_REGION_H
+#define CGAL_MULTISIDED_PATCHES_MESHING_INTERNAL_MESH_REGION_H
+
+#include <CGAL/Multisided_patches/internal/Linked_triangle.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Multisided_patches {
+namespace internal {
+
+// A part of a mesh of triangles, as a mesh with numbers of its own, which can be refined and put
+// back. It need not be connected; but its border passes through no point twice, and so it is
+// sometimes larger than asked for.
+class Mesh_region {
+public:
+  // Takes the chosen triangles, those with a point in common with one of them, and so on, as many
+  // times as `rings` says.
+  Mesh_region(const std::vector<Linked_triangle>& mesh, std::size_t number_of_points,
+              std::vector<char> is_chosen, int rings)
+      : is_inside_(std::move(is_chosen)), local_(number_of_points, none) {
+    for (int ring = 0; ring < rings; ++ring) {
+      std::vector<char> is_marked(number_of_points, false);
+      for (std::size_t t = 0; t < mesh.size(); ++t)
+        if (is_inside_[t])
+          for (const std::size_t v : mesh[t].vertices)
+            is_marked[v] = true;
+      add_triangles_at(is_marked, mesh);
+    }
+    while (has_pinches(mesh, number_of_points))
+      ;
+    number_points(mesh);
+    make_triangles(mesh);
+  }
+
+  // The points of the region: first those on its border, of which there are
+  // `number_of_border_points()`. points()[k] is the number in the mesh of point k of the region.
+  const std::vector<std::size_t>& points() const { return points_; }
+  std::size_t number_of_border_points() const { return outside_.size(); }
+  // With the numbers of the region. On its border there are no neighbours.
+  const std::vector<Linked_triangle>& triangles() const { return triangles_; }
+
+  // Replaces the triangles of the region in the mesh that it is from by others with the same
+  // border. New points of the region have become the last ones of the mesh, in the same order.
+  void replace(const std::vector<Linked_triangle>& triangles, std::size_t number_of_points,
+               std::vector<Linked_triangle>& mesh) {
+    // Their numbers in the mesh: those of the old triangles, and then new ones.
+    for (std::size_t k = numbers_.size(), next = mesh.size(); k < triangles.size(); ++k)
+      numbers_.push_back(next++);
+    mesh.resize(numbers_.empty() ? mesh.size() : (std::max)(mesh.size(), numbers_.back() + 1));
+    const auto number_of_point = [&](std::size_t v) {
+      return v < points_.size() ? points_[v] : number_of_points + (v - points_.size());
+    };
+    for (std::size_t k = 0; k < triangles.size(); ++k) {
+      Linked_triangle& t = mesh[numbers_[k]];
+      for (int i = 0; i < 3; ++i) {
+        t.vertices[i] = number_of_point(triangles[k].vertices[i]);
+        const std::size_t neighbor = triangles[k].neighbors[i];
+        t.neighbors[i] = neighbor != none ? numbers_[neighbor] : outside_[start(triangles[k], i)];
+      }
+      for (int i = 0; i < 3; ++i)
+        if (triangles[k].neighbors[i] == none && t.neighbors[i] != none)
+          link(mesh[t.neighbors[i]], end(t, i), numbers_[k]);
+    }
+  }
+
+private:
+  static constexpr std::size_t none = Linked_triangle::none;
+
+  // Where the edge opposite to corner i starts and ends.
+  static std::size_t start(const Linked_triangle& t, int i) { return t.vertices[(i + 1) % 3]; }
+  static std::size_t end(const Linked_triangle& t, int i) { return t.vertices[(i + 2) % 3]; }
+
+  // Makes a triangle the neighbour of another one across the edge that starts at a point.
+  static void link(Linked_triangle& other, std::size_t start_of_edge, std::size_t triangle) {
+    for (int i = 0; i < 3; ++i)
+      if (start(other, i) == start_of_edge)
+        other.neighbors[i] = triangle;
+  }
+
+  bool is_inside(std::size_t t) const { return t != none && is_inside_[t]; }
+
+  void add_triangles_at(const std::vector<char>& is_marked,
+                        const std::vector<Linked_triangle>& mesh) {
+    for (std::size_t t = 0; t < mesh.size(); ++t)
+      for (const std::size_t v : mesh[t].vertices)
+        if (is_marked[v])
+          is_inside_[t] = true;
+  }
+
+  // Calls f(t, i) for the edges on the border.
+  template <typename Function>
+  void for_each_border_edge(const std::vector<Linked_triangle>& mesh, const Function& f) const {
+    for (std::size_t t = 0; t < mesh.size(); ++t)
+      if (is_inside_[t])
+        for (int i = 0; i < 3; ++i)
+          if (!is_inside(mesh[t].neighbors[i]))
+            f(t, i);
+  }
+
+  // Whether the border passed through a point twice; all triangles there have been added then.
+  bool has_pinches(const std::vector<Linked_triangle>& mesh, std::size_t number_of_points) {
+    std::vector<char> is_start(number_of_points, false), is_pinched(number_of_points, false);
+    bool found = false;
+    for_each_border_edge(mesh, [&](std::size_t t, int i) {
+      const std::size_t v = start(mesh[t], i);
+      if (is_start[v])
+        is_pinched[v] = found = true;
+      is_start[v] = true;
+    });
+    if (found)
+      add_triangles_at(is_pinched, mesh);
+    return found;
+  }
+
+  void number_points(const std::vector<Linked_triangle>& mesh) {
+    const auto add = [&](std::size_t v) {
+      if (local_[v] != none)
+        return;
+      local_[v] = points_.size();
+      points_.push_back(v);
+    };
+    for_each_border_edge(mesh, [&](std::size_t t, int i) {
+      add(start(mesh[t], i));
+      outside_.push_back(mesh[t].neighbors[i]);
+    });
+    for (std::size_t t = 0; t < mesh.size(); ++t)
+      if (is_inside_[t])
+        for (const std::size_t v : mesh[t].vertices)
+          add(v);
+  }
+
+  void make_triangles(const std::vector<Linked_triangle>& mesh) {
+    std::vector<std::size_t> local(mesh.size(), none);
+    for (std::size_t t = 0; t < mesh.size(); ++t)
+      if (is_inside_[t]) {
+        local[t] = numbers_.size();
+        numbers_.push_back(t);
+      }
+    triangles_.reserve(numbers_.size());
+    for (const std::size_t t : numbers_) {
+      Linked_triangle triangle;
+      for (int i = 0; i < 3; ++i) {
+        triangle.vertices[i] = local_[mesh[t].vertices[i]];
+        const std::size_t neighbor = mesh[t].neighbors[i];
+        triangle.neighbors[i] = neighbor == none ? none : local[neighbor];
+      }
+      triangles_.push_back(triangle);
+    }
+  }
+
+  std::vector<char> is_inside_;      // by triangle of the mesh
+  std::vector<std::size_t> local_;   // by point of the mesh: its number in the region
+  std::vector<std::size_t> points_;  // by point of the region
+  std::vector<std::size_t> outside_; // by point on the border: the triangle behind the edge from it
+  std::vector<std::size_t> numbers_; // by triangle of the region: its number in the mesh
+  std::vector<Linked_triangle> triangles_;
+};
+
+} // namespace internal
+} // namespace Multisided_patches
+} // namespace CGAL
+
+#endif // CGAL_MULTISIDED_PATCHES_MESHING_INTERNAL_MESH_REGION_H
