@@ -39,15 +39,31 @@ public:
   }
 
   // Returns the vertices that were moved.
+  //
+  // Every try costs some hundred points of the surface; so a vertex is tried again only if
+  // something around it has changed, and where sharp triangles abound not all are tried.
   std::vector<std::size_t> mend() {
     constexpr int sweeps = 3;
+    std::size_t tries = 100 + mesh_.triangles.size() / 5;
     std::vector<std::size_t> moved;
+    std::vector<char> is_settled(triangle_of_.size(), false);
+    std::fill_n(is_settled.begin(), number_of_boundary_vertices_, true);
     for (int k = 0; k < sweeps; ++k)
       for (const Linked_triangle& t : mesh_.triangles)
         if (smallest_angle(t) < sharp)
-          for (const std::size_t v : t.vertices)
-            if (v >= number_of_boundary_vertices_ && nudge(v))
-              moved.push_back(v);
+          for (const std::size_t v : t.vertices) {
+            if (is_settled[v] || tries == 0)
+              continue;
+            --tries;
+            is_settled[v] = true;
+            const std::vector<std::size_t> star = triangles_around(v);
+            if (!nudge(v, star))
+              continue;
+            moved.push_back(v);
+            for (const std::size_t s : star)
+              for (const std::size_t w : mesh_.triangles[s].vertices)
+                is_settled[w] = w < number_of_boundary_vertices_;
+          }
     return moved;
   }
 
@@ -111,31 +127,60 @@ private:
     return largest;
   }
 
-  // Moves a vertex inside a little towards or away from one of its neighbours. Returns whether that
-  // helps.
-  bool nudge(std::size_t v) {
-    const std::vector<std::size_t> star = triangles_around(v);
-    const Uv old_uv = mesh_.uv[v];
-    const Vec3 old_position = mesh_.positions[v];
-    const double angle = smallest_angle(star);
-    // Up to here deviations between the samples hardly ever are larger than at them by more than
-    // the reserve.
-    constexpr double safe = 0.95;
-    const double allowed = (std::max)(safe, largest_excess(star));
+  struct Move {
+    Uv uv;
+    Vec3 position;
+    double angle; // the smallest one around the vertex then
+  };
+
+  void apply(std::size_t v, const Move& move) {
+    mesh_.uv[v] = move.uv;
+    mesh_.positions[v] = move.position;
+  }
+
+  // Moves of a vertex a little towards or away from one of its neighbours, after which no angle
+  // around it is as small as the smallest one now. The best one comes first.
+  std::vector<Move> find_moves(std::size_t v, const std::vector<std::size_t>& star) {
+    const Move now{mesh_.uv[v], mesh_.positions[v], smallest_angle(star)};
+    std::vector<Move> moves;
     for (const double step : {0.25, -0.25, 0.1, -0.1, 0.04, -0.04})
       for (const std::size_t t : star) {
         const auto& vertices = mesh_.triangles[t].vertices;
         const auto i = std::find(vertices.begin(), vertices.end(), v) - vertices.begin();
-        mesh_.uv[v] = old_uv + step * (mesh_.uv[vertices[(i + 1) % 3]] - old_uv);
+        mesh_.uv[v] = now.uv + step * (mesh_.uv[vertices[(i + 1) % 3]] - now.uv);
         if (!std::all_of(star.begin(), star.end(),
                          [&](std::size_t s) { return is_positive(mesh_.triangles[s]); }))
           continue;
         mesh_.positions[v] = surface_.position(mesh_.uv[v]);
-        if (smallest_angle(star) > angle && largest_excess(star) <= allowed)
-          return true;
+        const double angle = smallest_angle(star);
+        if (angle > now.angle)
+          moves.push_back({mesh_.uv[v], mesh_.positions[v], angle});
+        apply(v, now);
       }
-    mesh_.uv[v] = old_uv;
-    mesh_.positions[v] = old_position;
+    apply(v, now);
+    std::stable_sort(moves.begin(), moves.end(),
+                     [](const Move& a, const Move& b) { return a.angle > b.angle; });
+    return moves;
+  }
+
+  // Returns whether there is a move that helps; then the vertex has moved.
+  bool nudge(std::size_t v, const std::vector<std::size_t>& star) {
+    constexpr std::size_t max_moves = 4;
+    // Up to here deviations between the samples hardly ever are larger than at them by more than
+    // the reserve.
+    constexpr double safe = 0.95;
+    std::vector<Move> moves = find_moves(v, star);
+    if (moves.empty())
+      return false;
+    const Move now{mesh_.uv[v], mesh_.positions[v], 0};
+    const double allowed = (std::max)(safe, largest_excess(star));
+    moves.resize((std::min)(moves.size(), max_moves));
+    for (const Move& move : moves) {
+      apply(v, move);
+      if (largest_excess(star) <= allowed)
+        return true;
+    }
+    apply(v, now);
     return false;
   }
 
