@@ -86,22 +86,12 @@ public:
     std::memcpy(r.parts_, p, sizeof(r.parts_));
     return r;
   }
-  static Number_pack load(const float* p) {
-    Number_pack r;
-#ifdef __SSE2__
-    double both;
-    std::memcpy(&both, p, sizeof(both));
-    r.parts_[0] = _mm_cvtps_pd(_mm_castpd_ps(_mm_set_sd(both)));
-#elif defined(__GNUC__)
-    r.parts_[0] = Part{p[0], p[1]};
-#else
-    r.parts_[0] = p[0];
-    r.parts_[1] = p[1];
-#endif
-    return r;
-  }
   void store(double* p) const {
     std::memcpy(p, parts_, sizeof(parts_));
+  }
+  // Adds the numbers to those at consecutive places in memory.
+  void add_to(double* p) const {
+    (load(p) + *this).store(p);
   }
   void set(std::size_t l, double x) {
 #ifdef __GNUC__

@@ -6,6 +6,7 @@
 #ifndef CGAL_MULTISIDED_PATCHES_PATCHES_INTERNAL_WEIGHT_BLOCK_H
 #define CGAL_MULTISIDED_PATCHES_PATCHES_INTERNAL_WEIGHT_BLOCK_H
 
+#include <CGAL/Multisided_patches/internal/Float_pack.h>
 #include <CGAL/Multisided_patches/internal/Number_pack.h>
 #include <CGAL/Multisided_patches/internal/vector_utils.h>
 #include <CGAL/Multisided_patches/patches/internal/surface_derivatives.h>
@@ -15,6 +16,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -26,7 +28,8 @@ namespace internal {
 // weights and control points: points, and with order 1 first derivatives and normals. Weights of
 // one control point are next to each other; control points without influence here have none.
 //
-// Storage is the number type of the weights, `double` or `float`; everything else is in `double`.
+// Storage is the number type of the weights, `double` or `float`. So are products, and sums of a
+// few of them; the sums of these, and all that follows, are in `double`.
 template <typename Storage, int Order>
 class Weight_block {
 public:
@@ -80,7 +83,6 @@ public:
     for (std::size_t part = 0; part < parts; ++part)
       for (std::size_t c = 0; c < 3; ++c)
         std::fill_n(result(part, c), samples, part == 0 ? o[c] : 0.0);
-    constexpr std::size_t together = 4;
     std::array<const Storage*, together> weights;
     std::array<std::array<double, 3>, together> offsets;
     for (std::size_t e = 0; e < points_.size(); e += together) {
@@ -125,40 +127,47 @@ public:
 private:
   double* result(std::size_t part, std::size_t c) { return &results_[(part * 3 + c) * samples]; }
 
+  // Numbers that are worked on at once.
+  using Pack = std::conditional_t<std::is_same_v<Storage, float>, Float_pack, Number_pack>;
+  // How many rows are read side by side. Their sums in single precision have to be converted.
+  static constexpr std::size_t together = std::is_same_v<Storage, float> ? 8 : 4;
+
   // Adds the products of a few control points with their weights.
   template <std::size_t... I>
   void add(const std::array<const Storage*, sizeof...(I)>& weights,
            const std::array<std::array<double, 3>, sizeof...(I)>& points,
            std::index_sequence<I...>) {
-    const Number_pack px[] = {points[I][0]...}, py[] = {points[I][1]...}, pz[] = {points[I][2]...};
+    const auto pack = [&](std::size_t i, std::size_t c) {
+      return Pack(static_cast<Storage>(points[i][c]));
+    };
+    const Pack px[] = {pack(I, 0)...}, py[] = {pack(I, 1)...}, pz[] = {pack(I, 2)...};
     for (std::size_t part = 0; part < parts; ++part) {
       double *const x = result(part, 0), *const y = result(part, 1), *const z = result(part, 2);
-      for (std::size_t k = 0; k < samples; k += Number_pack::lanes) {
-        auto sx = Number_pack::load(x + k), sy = Number_pack::load(y + k),
-             sz = Number_pack::load(z + k);
+      for (std::size_t k = 0; k < samples; k += Pack::lanes) {
+        Pack sx(Storage(0)), sy(Storage(0)), sz(Storage(0));
         const auto add_one = [&](std::size_t i) {
-          const auto w = Number_pack::load(weights[i] + part * samples + k);
+          const Pack w = Pack::load(weights[i] + part * samples + k);
           sx += w * px[i];
           sy += w * py[i];
           sz += w * pz[i];
         };
         if constexpr (sizeof...(I) > 1)
-          if (k % steps_per_line == 0)
-            prefetch(weights[0], (part * samples + k) * sizeof...(I));
+          for (std::size_t j = k; j < k + Pack::lanes; j += per_line)
+            prefetch(weights[0], (part * samples + j) * sizeof...(I));
         (add_one(I), ...); // a loop would not be unrolled at all levels of optimization
-        sx.store(x + k);
-        sy.store(y + k);
-        sz.store(z + k);
+        sx.add_to(x + k);
+        sy.add_to(y + k);
+        sz.add_to(z + k);
       }
     }
   }
 
   // Rows that are read side by side are streams that processors do not foresee. So what follows in
-  // memory is asked for, one cache line after the other, while the rows before it are used.
-  static constexpr std::size_t steps_per_line =
-      Number_pack::lanes * (sizeof(double) / sizeof(Storage));
+  // memory is asked for, one cache line after the other, while the rows before it are used: a line
+  // for so many numbers of each row.
+  static constexpr std::size_t per_line = 64 / sizeof(Storage) / together;
   static void prefetch(const Storage* rows, std::size_t offset) {
-    constexpr std::size_t distance = 8192; // bytes; what memory delivers while 4 rows are used
+    constexpr std::size_t distance = 8192; // bytes; what memory delivers while rows are used
     prefetch_byte(rows, offset * sizeof(Storage) + distance);
   }
   // The results of the next block, if blocks are elements of an array.
