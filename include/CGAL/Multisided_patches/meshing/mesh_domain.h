@@ -133,11 +133,12 @@ mesh_domain(const Patch& patch, const Mesh_density& density, Visitor&& visitor =
   const auto start = [&](double length) {
     return mesher.start(internal::sample_sides(patch, length), length);
   };
-  if (density.target_triangles())
+  if (density.target_triangles()) {
     internal::find_edge_length(*density.target_triangles(), mesher.area(), start);
-  else
-    start(*density.target_edge_length());
-  return mesher.finish();
+    return mesher.finish(internal::Keep::number_of_triangles);
+  }
+  start(*density.target_edge_length());
+  return mesher.finish(internal::Keep::edge_length);
 }
 
 } // namespace Multisided_patches

@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -76,7 +77,11 @@ Domain_mesh_2<Traits> triangulate_domain(const Polygonal_domain_2<Traits>& domai
   constexpr std::size_t max_points = Mesh_density::max_triangles / 2;
   const auto ignore_progress = [](std::size_t) {};
   mesher.refine(max_points, ignore_progress);
-  mesher.halve_edges(max_points, ignore_progress);
+  // The metric is known exactly.
+  const auto do_not_remeasure = [](const auto&, const auto&) {
+    return std::optional<internal::Uniform_metric>();
+  };
+  mesher.halve_edges(max_points, ignore_progress, do_not_remeasure, internal::Keep::edge_length);
   mesher.smooth(smoothing_sweeps);
   return mesher.finish();
 }

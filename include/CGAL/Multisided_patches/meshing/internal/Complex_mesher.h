@@ -174,7 +174,8 @@ private:
     } else {
       start(*density.target_edge_length());
     }
-    for_each_patch([&](std::size_t k) { domain_meshes_[k] = meshers_[k]->finish(); });
+    const auto keep = density.target_triangles() ? Keep::number_of_triangles : Keep::edge_length;
+    for_each_patch([&](std::size_t k) { domain_meshes_[k] = meshers_[k]->finish(keep); });
   }
 
   // Returns about how many triangles there will be.

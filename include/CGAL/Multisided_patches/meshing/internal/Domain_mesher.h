@@ -17,6 +17,7 @@
 #include <CGAL/Multisided_patches/meshing/internal/refine_where_needed.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -28,6 +29,9 @@ namespace internal {
 
 // For each side the parameters of its samples, increasing in (0,1).
 using Side_parameters = std::vector<std::vector<double>>;
+
+// What matters if lengths turn out to be other ones when they are measured on a finer mesh.
+enum class Keep { edge_length, number_of_triangles };
 
 // A mesh of a domain in the making: samples on the sides, which stay as they are, and points
 // inside, as many as a metric asks for.
@@ -101,22 +105,25 @@ public:
   }
 
   // Halves edges as many times as the constructor was told to, and refines what is not good enough.
-  template <typename Progress>
-  void halve_edges(std::size_t max_points, const Progress& progress) {
+  // On the way it calls remeasure(mesh without triangles, triangles), which may return a field that
+  // is more accurate than the one so far.
+  template <typename Progress, typename Remeasure>
+  void halve_edges(std::size_t max_points, const Progress& progress, const Remeasure& remeasure,
+                   Keep keep) {
     if (halvings_ == 0)
       return;
     check_all_samples();
+    if (halvings_ >= 2)
+      adapt_coarse_mesh(max_points, progress, remeasure, keep);
     refiner_->smooth(coarse_sweeps);
-    if (try_to_halve_edges(progress)) {
-      refine_where_needed<ConcurrencyTag, Traits>(mesh_.points, metric_, triangles_, max_points,
-                                                  progress);
-      mesh_.locations.resize(mesh_.points.size(), Location::interior());
-    } else { // then the points inside are looked for one by one
+    if (!try_to_halve_edges(max_points, progress, remeasure, keep)) {
+      // Then the points inside are looked for one by one.
       mesh_.points.resize(mesh_.number_of_boundary_points);
       metric_.resize(mesh_.number_of_boundary_points);
       start_with(all_next_points());
-      refine(max_points, progress);
+      refiner_->refine(max_points, progress);
     }
+    mesh_.locations.resize(mesh_.points.size(), Location::interior());
   }
 
   void keep_off_sides(double share_of_length) { refiner_->keep_off_sides(share_of_length); }
@@ -160,22 +167,85 @@ private:
     Boundary_triangulation<Traits>(samples, all_next_points());
   }
 
-  // Replaces the triangulation by triangles_. Returns false if rounding is in the way.
-  template <typename Progress>
-  bool try_to_halve_edges(const Progress& progress) {
-    const std::size_t expected_points = expected_triangles() * 5 / 9;
-    mesh_.points.reserve(expected_points);
-    metric_.reserve(expected_points);
-    Edge_halver<Traits, Field, ConcurrencyTag> halver(mesh_.points, metric_,
-                                                      triangulation_->triangles(), segments_);
-    metric_.scale_lengths(1 << halvings_);
-    for (std::size_t length = std::size_t(1) << halvings_; length > 1; length /= 2)
-      if (!halver.halve(static_cast<double>(length), length / 2, progress))
-        return false;
-    triangles_ = halver.take_triangles();
+  // Replaces the triangulation by triangles_. Returns false if rounding is in the way; the metric
+  // is that of the fine mesh then, too.
+  template <typename Progress, typename Remeasure>
+  bool try_to_halve_edges(std::size_t max_points, const Progress& progress,
+                          const Remeasure& remeasure, Keep keep) {
+    const std::size_t expected = expected_triangles();
+    mesh_.points.reserve(expected * 5 / 9);
+    metric_.reserve(expected * 5 / 9);
+    triangles_ = triangulation_->triangles();
     refiner_.reset();
     triangulation_.reset();
+    Edge_halver<Traits, Field, ConcurrencyTag> halver(mesh_.points, metric_, triangles_, segments_);
+    for (std::size_t length = std::size_t(1) << halvings_; length > 1; length /= 2) {
+      if (length >= 4 && length < std::size_t(1) << halvings_) { // few points in comparison
+        update_field(remeasure, keep);
+        refine_where_needed<ConcurrencyTag, Traits>(mesh_.points, metric_, triangles_, max_points,
+                                                    progress);
+      }
+      metric_.scale_lengths(2);
+      const std::size_t least =
+          keep == Keep::number_of_triangles ? expected / (length / 2 * (length / 2)) : 0;
+      if (!halver.halve(length / 2, least, progress)) {
+        metric_.scale_lengths(static_cast<double>(length / 2));
+        return false;
+      }
+    }
+    refine_where_needed<ConcurrencyTag, Traits>(mesh_.points, metric_, triangles_, max_points,
+                                                progress);
     return true;
+  }
+
+  // Measures the metric on the coarse mesh, and makes the mesh fit: if much of it does not, it is
+  // made anew.
+  template <typename Progress, typename Remeasure>
+  void adapt_coarse_mesh(std::size_t max_points, const Progress& progress,
+                         const Remeasure& remeasure, Keep keep) {
+    triangles_ = triangulation_->triangles();
+    update_field(remeasure, keep);
+    const std::vector<char> is_bad =
+        find_bad_triangles<ConcurrencyTag>(mesh_.points, metric_, triangles_);
+    const auto count = std::count(is_bad.begin(), is_bad.end(), true);
+    if (50 * static_cast<std::size_t>(count) > is_bad.size()) {
+      mesh_.points.resize(mesh_.number_of_boundary_points);
+      metric_.resize(mesh_.number_of_boundary_points);
+      start_with(next_points(segments_));
+    }
+    refiner_->refine(max_points, progress);
+  }
+
+  // Measures the metric on the mesh as it is.
+  template <typename Remeasure>
+  void update_field(const Remeasure& remeasure, Keep keep) {
+    mesh_.locations.resize(mesh_.points.size(), Location::interior());
+    std::optional<Field> field = remeasure(mesh_, triangles_);
+    if (!field)
+      return;
+    const double old_area = area();
+    finer_field_ = std::move(*field);
+    metric_.set_field(*finer_field_);
+    std::vector<std::size_t> hints(mesh_.points.size(), Linked_triangle::none);
+    for (std::size_t t = 0; t < triangles_.size(); ++t)
+      for (const std::size_t v : triangles_[t].vertices)
+        hints[v] = t;
+    for (std::size_t k = 1; k < mesh_.number_of_boundary_points; ++k)
+      if (hints[k] == Linked_triangle::none) // a sample that is not yet in the mesh
+        hints[k] = hints[k - 1];
+    for_each_index<ConcurrencyTag>(mesh_.points.size(), [&](std::size_t k) {
+      metric_.set(k, to_uv(mesh_.points[k]), hints[k]);
+    });
+    if (keep == Keep::number_of_triangles)
+      metric_.scale_lengths(std::sqrt(old_area / area()));
+  }
+
+  // Of the triangles, in the metric.
+  double area() const {
+    double sum = 0;
+    for (const Linked_triangle& t : triangles_)
+      sum += metric_.triangle(mesh_.points, t.vertices).area();
+    return sum;
   }
 
   // From the boundary, or from triangles.
@@ -260,6 +330,7 @@ private:
   // For each point on the boundary that is triangulated at first the number of segments up to the
   // next one, for others 0.
   std::vector<std::size_t> segments_;
+  std::optional<Field> finer_field_;
   std::optional<Boundary_triangulation<Traits>> triangulation_;
   std::optional<Metric_refiner<Traits, Field>> refiner_;
   std::vector<Linked_triangle> triangles_; // once edges have been halved, instead of these

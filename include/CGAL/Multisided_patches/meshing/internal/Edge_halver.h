@@ -15,6 +15,7 @@
 #include <array>
 #include <atomic>
 #include <cstddef>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -32,25 +33,22 @@ class Edge_halver {
 public:
   using Point_2 = typename Traits::Point_2;
 
-  // New points are appended to `points`. For an edge on a side that starts at point k, and ends at
-  // point k + m or, at the end of a loop, at the loop's first point, segments[k] is m: points k + 1
-  // to k + m - 1 are samples on it that the triangles do not have yet.
+  // New points are appended to `points`; triangles are replaced. For an edge on a side that starts
+  // at point k, and ends at point k + m or, at the end of a loop, at the loop's first point,
+  // segments[k] is m: points k + 1 to k + m - 1 are samples on it that the triangles do not have
+  // yet.
   Edge_halver(std::vector<Point_2>& points, Metric_at_points<Field>& metric,
-              std::vector<Linked_triangle> triangles, std::vector<std::size_t> segments)
-      : points_(points), metric_(metric), triangles_(std::move(triangles)),
-        segments_(std::move(segments)) {}
+              std::vector<Linked_triangle>& triangles, std::vector<std::size_t>& segments)
+      : points_(points), metric_(metric), triangles_(triangles), segments_(segments) {}
 
-  // Ends the use of this object.
-  std::vector<Linked_triangle> take_triangles() { return std::move(triangles_); }
-
-  // Halves the edges whose length in the metric is `length` or not much less, and those on sides
-  // if they have more than `max_segments`. Returns false, and is of no use any more, if rounding
-  // has put points where triangles are not positively oriented. Now and then it calls
+  // Halves the edges whose length in the metric is 2 or not much less, and those on sides if they
+  // have more than `max_segments`. If there would be fewer than `least` triangles then, shorter
+  // ones are halved, too, down to 1.2. Returns false, and has left the mesh in disorder, if
+  // rounding has put points where triangles are not positively oriented. Now and then it calls
   // progress(number of points).
   template <typename Progress>
-  bool halve(double length, std::size_t max_segments, const Progress& progress) {
-    // The geometric mean of the length and its half: the longer ones are nearer to the length.
-    find_long_edges(length * length / 2, progress);
+  bool halve(std::size_t max_segments, std::size_t least, const Progress& progress) {
+    find_long_edges(least, progress);
     add_middles(max_segments, progress);
     find_children();
     std::vector<Linked_triangle> children;
@@ -87,22 +85,56 @@ private:
   // Edges between two triangles are the business of the first one, and so are their middles.
   static bool is_edge_of(std::size_t t, std::size_t neighbor) { return neighbor > t; }
 
-  // The edges inside that are to be halved.
+  // The edges inside that are to be halved. Up to the geometric mean of 1 and 2 they are nearer to
+  // 1.
   template <typename Progress>
-  void find_long_edges(double max_squared_length, const Progress& progress) {
+  void find_long_edges(std::size_t least, const Progress& progress) {
+    constexpr float max_squared_length = 2, least_squared_length = 1.44F;
+    std::vector<std::array<float, 3>> lengths = squared_lengths(progress);
+    // Every edge that is halved makes two triangles more.
+    const std::size_t wanted = (std::max)(least, triangles_.size()) - triangles_.size();
+    const float longest = (std::max)(least_squared_length,
+                                     (std::min)(max_squared_length, limit(lengths, wanted / 2)));
+    is_long_.resize(triangles_.size());
+    for_each_triangle(progress, [&](std::size_t t) {
+      for (int i = 0; i < 3; ++i)
+        is_long_[t][i] = lengths[t][i] > longest;
+    });
+  }
+
+  // The squared lengths of edges that may be halved, by triangle; 0 for others.
+  template <typename Progress>
+  std::vector<std::array<float, 3>> squared_lengths(const Progress& progress) {
     is_narrow_.resize(triangles_.size());
     for_each_triangle(progress,
                       [&](std::size_t t) { is_narrow_[t] = this->is_narrow(triangles_[t]); });
-    is_long_.resize(triangles_.size());
+    std::vector<std::array<float, 3>> lengths(triangles_.size());
     for_each_triangle(progress, [&](std::size_t t) {
+      const auto& v = triangles_[t].vertices;
       for (int i = 0; i < 3; ++i) {
         const std::size_t neighbor = triangles_[t].neighbors[i];
-        is_long_[t][i] = neighbor != none && is_edge_of(t, neighbor) && !is_narrow_[t] &&
-                         !is_narrow_[neighbor] &&
-                         squared_length(triangles_[t].vertices[(i + 1) % 3],
-                                        triangles_[t].vertices[(i + 2) % 3]) > max_squared_length;
+        const bool may_be_halved =
+            neighbor != none && is_edge_of(t, neighbor) && !is_narrow_[t] && !is_narrow_[neighbor];
+        lengths[t][i] =
+            may_be_halved ? static_cast<float>(squared_length(v[(i + 1) % 3], v[(i + 2) % 3])) : 0;
       }
     });
+    return lengths;
+  }
+
+  // A length that `count` edges exceed; 0 if there are not so many.
+  static float limit(const std::vector<std::array<float, 3>>& lengths, std::size_t count) {
+    std::vector<float> all;
+    all.reserve(3 * lengths.size() / 2);
+    for (const std::array<float, 3>& of_triangle : lengths)
+      for (const float length : of_triangle)
+        if (length > 0)
+          all.push_back(length);
+    if (count >= all.size())
+      return 0;
+    const auto at = all.begin() + static_cast<std::ptrdiff_t>(count);
+    std::nth_element(all.begin(), at, all.end(), std::greater<float>());
+    return *at;
   }
 
   // Appends the middles of the long edges, and finds those of the edges on sides.
@@ -209,8 +241,8 @@ private:
 
   std::vector<Point_2>& points_;
   Metric_at_points<Field>& metric_;
-  std::vector<Linked_triangle> triangles_;
-  std::vector<std::size_t> segments_;
+  std::vector<Linked_triangle>& triangles_;
+  std::vector<std::size_t>& segments_;
   // By triangle, while edges are halved.
   std::vector<char> is_narrow_;
   std::vector<std::array<bool, 3>> is_long_;

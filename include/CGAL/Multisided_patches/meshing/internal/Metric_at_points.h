@@ -23,7 +23,7 @@ namespace internal {
 template <typename Field>
 class Metric_at_points {
 public:
-  explicit Metric_at_points(const Field& field) : field_(field) {}
+  explicit Metric_at_points(const Field& field) : field_(&field) {}
 
   std::size_t size() const { return metrics_.size(); }
   const Metric_2& operator[](std::size_t k) const { return metrics_[k]; }
@@ -41,7 +41,7 @@ public:
     hints_.reserve(n);
   }
   void add(const Uv& p, std::size_t hint) {
-    metrics_.push_back(scale_ * field_(p, hint));
+    metrics_.push_back(scale_ * (*field_)(p, hint));
     hints_.push_back(hint);
   }
   // Keeps the first n, or makes room for points that are set later.
@@ -51,13 +51,13 @@ public:
   }
   // Threads may do so at the same time for different k.
   void set(std::size_t k, const Uv& p, std::size_t hint) {
-    metrics_[k] = scale_ * field_(p, hint);
+    metrics_[k] = scale_ * (*field_)(p, hint);
     hints_[k] = hint;
   }
 
   // The metric at some of the points, in their order.
   Metric_at_points part(const std::vector<std::size_t>& points) const {
-    Metric_at_points result(field_);
+    Metric_at_points result(*field_);
     result.scale_ = scale_;
     for (const std::size_t k : points)
       result.copy(*this, k);
@@ -69,6 +69,9 @@ public:
     hints_.push_back(other.hints_[k]);
   }
 
+  // Replaces the field; then the metric has to be set anew at all points.
+  void set_field(const Field& field) { field_ = &field; }
+
   // Multiplies all lengths, also those at points that are added later.
   void scale_lengths(double factor) {
     scale_ *= factor * factor;
@@ -77,7 +80,7 @@ public:
   }
 
 private:
-  const Field& field_;
+  const Field* field_;
   double scale_ = 1; // of squared lengths
   std::vector<Metric_2> metrics_;
   std::vector<std::size_t> hints_; // where the field was last asked

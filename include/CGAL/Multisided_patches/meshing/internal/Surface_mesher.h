@@ -69,7 +69,8 @@ public:
   std::size_t start(Side_parameters sides, double length) {
     sides_ = std::move(sides);
     metric_ = coarse_metric_;
-    metric_.set_edge_length(length / surface_.unit());
+    length_ = length / surface_.unit();
+    metric_.set_edge_length(length_);
     check_count(metric_, sides_, "an edge length of " + to_short_text(length));
     mesher_.emplace(domain(), sides_, metric_, coarse_hints_,
                     Mesher::possible_halvings(sides_, expected_triangles(metric_, sides_)));
@@ -77,10 +78,18 @@ public:
     return mesher_->expected_triangles();
   }
   // Finishes it.
-  Mesh finish() {
-    with_limit(
-        *mesher_, expected_points(metric_, sides_),
-        [&](std::size_t limit, const auto& progress) { mesher_->halve_edges(limit, progress); });
+  Mesh finish(Keep keep) {
+    const auto remeasure = [&](const Mesh& mesh, const std::vector<Linked_triangle>& triangles) {
+      Sampled_mesh sampled;
+      sample(mesh, triangles, sampled);
+      Surface_metric metric(sampled);
+      metric.set_edge_length(length_);
+      return std::make_optional(std::move(metric));
+    };
+    with_limit(*mesher_, expected_points(metric_, sides_),
+               [&](std::size_t limit, const auto& progress) {
+                 mesher_->halve_edges(limit, progress, remeasure, keep);
+               });
     return mesher_->finish();
   }
 
@@ -242,7 +251,9 @@ private:
   // Brings a sampled mesh up to date with the mesh in the making, of which it was a part.
   template <typename Any_mesher>
   void sample(const Any_mesher& mesher, Sampled_mesh& sampled) {
-    const Mesh& mesh = mesher.mesh();
+    sample(mesher.mesh(), mesher.triangles(), sampled);
+  }
+  void sample(const Mesh& mesh, std::vector<Linked_triangle> triangles, Sampled_mesh& sampled) {
     const std::size_t old = sampled.uv.size(), n = mesh.points.size();
     sampled.positions.resize(n);
     for (std::size_t k = old; k < n; ++k)
@@ -252,7 +263,7 @@ private:
     });
     for (std::size_t k = old; k < n; ++k)
       surface_.check_finite(sampled.positions[k], mesh.points[k]);
-    sampled.triangles = mesher.triangles();
+    sampled.triangles = std::move(triangles);
   }
 
   // The excess of each of some triangles, given by their numbers.
@@ -408,6 +419,7 @@ private:
   std::vector<std::size_t> coarse_hints_;
   // The mesh that was begun last.
   Side_parameters sides_;
+  double length_ = 0;
   Surface_metric metric_;
   std::optional<Mesher> mesher_;
 };
