@@ -13,6 +13,7 @@
 #include "model_builder.h"
 
 #include <CGAL/Multisided_patches/IO/CGB.h>
+#include <CGAL/Multisided_patches/patches/with_resolved_central_weight.h>
 
 #include <array>
 #include <cmath>
@@ -96,7 +97,6 @@ Model_plan star_knob() {
     plan.stops.push_back({r * std::cos(angle), r * std::sin(angle), i % 2 ? reflex : convex, 3, 2,
                           -8, 8}); // lobes bulge outwards
   }
-  plan.central_weight = MP::Central_weight::full_product;
   plan.generator = MP::Domain_generator::similarity_outer;
   plan.has_corner_control_points = true; // the gaps between the lobes are sharp
   return plan;
@@ -233,8 +233,6 @@ Model_plan plus_hub() {
       }
       plan.stops.push_back({x, y, j == 2 ? reflex : convex});
     }
-  // Without a central point the patch has bumps at its reflex corners.
-  plan.central_weight = MP::Central_weight::weight_deficiency;
   plan.reach = 40;
   plan.generator = MP::Domain_generator::projected;
   return plan;
@@ -322,10 +320,14 @@ Body_plan computer_mouse() {
 }
 
 void write_model(const std::filesystem::path& directory, const std::string& name,
-                 const Model& model) {
+                 const Model& planned) {
+  // The format has a place for the choice only, not for leaving it to the patch.
+  const Model model = MP::with_resolved_central_weight(planned);
   MP::IO::write_CGB((directory / (name + ".cgb")).string(), model);
   std::cout << name << ", sides: " << model.loop.size()
-            << ", reflex corners: " << model.loop.number_of_corners(reflex) << ", ";
+            << ", reflex corners: " << model.loop.number_of_corners(reflex)
+            << ", central weight: " << to_string(model.central_weight)
+            << (planned.central_weight == model.central_weight ? "" : " (automatic)") << ", ";
 }
 
 void write_body(const std::filesystem::path& directory, const Body_plan& plan) {

@@ -58,7 +58,7 @@ struct Model_plan {
   // sides (units of the plane). With 2 layers a third of it is how far row 1 reaches inwards.
   double reach = std::numeric_limits<double>::infinity();
   Vector_2 center = Vector_2(0, 0); // the central control point is the surface point here
-  MP::Central_weight central_weight = MP::Central_weight::none;
+  MP::Central_weight central_weight = MP::Central_weight::automatic;
   MP::Domain_generator generator = MP::Domain_generator::similarity;
   double clearance = 0.05;
   bool has_corner_control_points = false; // at reflex corners

@@ -34,7 +34,8 @@ bool is_patch_file(const std::string& file_name);
 // option makes no sense for the type of the patch.
 Any_model read_model(const Patch_options& options);
 
-// The same for several files; warns of mismatches, if not asked to be quiet.
+// The same for several files, none of which may be given twice; warns of mismatches, if not asked
+// to be quiet.
 std::vector<Any_model> read_models(Patch_options options, const std::vector<std::string>& inputs,
                                    bool quiet);
 

@@ -30,6 +30,8 @@ struct Patch_origin {
   CGAL::Multisided_patches::Domain_report domain;
   std::optional<Coordinates_choice> coordinates; // if the patch needs any
   std::optional<double> error_bound;             // of the coordinates, if they have one
+  // what a patch has that can choose it itself
+  std::optional<CGAL::Multisided_patches::Central_weight> central_weight;
 };
 
 // A patch of any class: a model of MultisidedPatch_3 with which meshers and reports are compiled

@@ -129,6 +129,10 @@ void check_index(std::size_t index, std::size_t n, const std::string& option);
 // The generator that made a domain, or "given" if none did.
 const char* domain_name(const CGAL::Multisided_patches::Domain_report& report);
 
+// "clearance 0.05"; a domain without two sides that share no corner, such as a triangle, has no
+// limit.
+std::string clearance_text(const CGAL::Multisided_patches::Domain_report& report);
+
 // Prints the remarks of a report, a line each that starts with the prefix.
 void print_remarks(const CGAL::Multisided_patches::Domain_report& report,
                    const std::string& prefix = "  ");

@@ -169,7 +169,8 @@ void print_summary(const Coordinates_options& options, const Domain_input& input
   if (const auto bound = error_bound(coordinates))
     std::printf(", error bound %.2g", *bound);
   if (input.report)
-    std::printf("; domain %s, clearance %.3g", domain_name(*input.report), input.report->clearance);
+    std::printf("; domain %s, %s", domain_name(*input.report),
+                clearance_text(*input.report).c_str());
   std::printf("; setup %.3f s, evaluation %.3f s\n", clock.seconds("setup"),
               clock.seconds("evaluation"));
   if (input.report)

@@ -105,8 +105,8 @@ void domain_command(const Domain_picture_options& options) {
   coordinate.corners();
   end_svg(out);
   file.commit();
-  std::printf("%s: domain %s, clearance %.3g\n", options.output.c_str(), domain_name(report),
-              report.clearance);
+  std::printf("%s: domain %s, %s\n", options.output.c_str(), domain_name(report),
+              clearance_text(report).c_str());
   print_remarks(report);
 }
 

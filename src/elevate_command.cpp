@@ -7,6 +7,7 @@
 #include "model_output.h"
 
 #include <CGAL/Multisided_patches/IO/internal/patch_json_format.h>
+#include <CGAL/Multisided_patches/bases/contact_order.h>
 #include <CGAL/Multisided_patches/ribbons/elevate_net.h>
 
 #include <algorithm>
@@ -23,12 +24,13 @@ namespace MP = CGAL::Multisided_patches;
 
 namespace {
 
-// Raises the degree of a model, and the number of its layers, to at least what is asked for.
+// Raises the degree of a model, and the number of its layers, to at least what is asked for; what
+// has as much already stays.
 class Elevate {
 public:
   explicit Elevate(const Elevate_options& options) : options_(options) {}
 
-  // Each ribbon for itself; those that have as much already stay.
+  // Each ribbon for itself.
   Any_model operator()(Concave_model model) const {
     std::vector<MP::Bezier_ribbon_3<Kernel>> ribbons;
     for (const auto& ribbon : model.loop.ribbons()) {
@@ -41,15 +43,14 @@ public:
   }
   Any_model operator()(Generalized_model model) const {
     refuse_layers("the number of layers follows from the degree");
-    require_at_least(model.net.degree(), "degree");
-    model.net = MP::elevate_net(model.net, wanted_degree());
+    model.net = MP::elevate_net(model.net, (std::max)(wanted_degree(), model.net.degree()));
     return model;
   }
   Any_model operator()(S_patch_model model) const {
     refuse_layers("an S-patch has none");
-    require_at_least(model.net.depth(), "depth");
     const std::size_t n = model.net.size(), limit = MP::IO::Patch_json_limits::max_control_points;
-    if (S_patch_model::Net::number_of_control_points(n, wanted_degree()) > limit)
+    if (wanted_degree() > model.net.depth() &&
+        S_patch_model::Net::number_of_control_points(n, wanted_degree()) > limit)
       fail("an S-patch with " + std::to_string(n) + " sides and depth " +
            std::to_string(wanted_degree()) + " would have more than " + std::to_string(limit) +
            " control points");
@@ -59,14 +60,12 @@ public:
   }
   Any_model operator()(const Tensor_product& patch) const {
     refuse_layers("a tensor product patch has none");
-    require_at_least((std::min)(patch.degree_u(), patch.degree_v()), "degree");
     return patch.elevated_to((std::max)(wanted_degree(), patch.degree_u()),
                              (std::max)(wanted_degree(), patch.degree_v()));
   }
   Any_model operator()(const Triangle& patch) const {
     refuse_layers("a Bezier triangle has none");
-    require_at_least(patch.degree(), "degree");
-    return patch.elevated_to(wanted_degree());
+    return patch.elevated_to((std::max)(wanted_degree(), patch.degree()));
   }
 
 private:
@@ -79,14 +78,45 @@ private:
     if (options_.layers)
       fail("--layers is for concave generalized Bezier patches; " + reason);
   }
-  void require_at_least(std::size_t degree, const std::string& what) const {
-    if (!options_.degree || *options_.degree < degree)
-      fail("--degree must be at least " + std::to_string(degree) + ", the " + what +
-           " of the patch");
-  }
 
   const Elevate_options& options_;
 };
+
+// All degrees and numbers of layers.
+struct Sizes {
+  using Numbers = std::vector<std::size_t>;
+  Numbers operator()(const Concave_model& model) const {
+    Numbers numbers;
+    for (const auto& ribbon : model.loop.ribbons()) {
+      numbers.push_back(ribbon.degree());
+      numbers.push_back(ribbon.layers());
+    }
+    return numbers;
+  }
+  Numbers operator()(const Generalized_model& model) const { return {model.net.degree()}; }
+  Numbers operator()(const S_patch_model& model) const { return {model.net.depth()}; }
+  Numbers operator()(const Tensor_product& patch) const {
+    return {patch.degree_u(), patch.degree_v()};
+  }
+  Numbers operator()(const Triangle& patch) const { return {patch.degree()}; }
+};
+
+// More layers are of little use without the degrees that they need.
+void warn_of_shortfalls(const Any_model& model) {
+  const std::vector<std::string> texts = contact_shortfalls(model);
+  for (const std::string& text : texts)
+    std::fprintf(stderr, "multipatch: warning: %s\n", text.c_str());
+  const auto* concave = std::get_if<Concave_model>(&model);
+  if (texts.empty() || concave == nullptr)
+    return;
+  const auto needed = MP::degrees_for_contact(concave->loop, concave->central_weight);
+  bool helps = false;
+  for (std::size_t i = 0; i < needed.size(); ++i)
+    helps = helps || needed[i] > concave->loop[i].degree();
+  if (helps)
+    std::fprintf(stderr, "multipatch: with --degree %zu no degree is missing\n",
+                 *std::max_element(needed.begin(), needed.end()));
+}
 
 // "degree 5" or "degrees 3 to 5"
 std::string range(const std::string& noun, std::size_t low, std::size_t high) {
@@ -123,8 +153,13 @@ void elevate_command(const Elevate_options& options) {
     throw MP::Input_error(options.output + ": a file with this name cannot hold " + lost +
                           "; a .patch.json file can");
   write_model_file(options.output, result);
-  if (!options.quiet)
-    print_summary(options.output, result);
+  if (options.quiet)
+    return;
+  print_summary(options.output, result);
+  if (std::visit(Sizes(), result) == std::visit(Sizes(), model))
+    std::printf("  nothing was raised: the patch has as much already\n");
+  if (options.layers)
+    warn_of_shortfalls(result);
 }
 
 } // namespace multipatch

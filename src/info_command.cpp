@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "any_model.h"
+#include "make_patches.h"
 
 #include <CGAL/Multisided_patches/bases/contact_order.h>
 
@@ -49,11 +50,20 @@ std::string domain_asked_for(const Description& model) {
   return model.domain_vertices.empty() ? to_string(model.domain.generator) : "by its vertices";
 }
 
+// "none", or "automatic (none)".
+std::string central_weight(const Concave_model& model) {
+  const std::string name = to_string(model.central_weight);
+  if (model.central_weight != MP::Central_weight::automatic)
+    return name;
+  const auto chosen = make_patch(Any_model(model)).origin().central_weight;
+  return name + " (" + to_string(*chosen) + ')';
+}
+
 // What the file says beyond control points.
 struct Print_options {
   void operator()(const Concave_model& model) const {
     std::printf("Central weight: %s; domain asked for: %s; parameter dilation: %g\n",
-                to_string(model.central_weight), domain_asked_for(model).c_str(),
+                central_weight(model).c_str(), domain_asked_for(model).c_str(),
                 model.parameter_dilation);
     if (model.coordinates != Coordinates_choice::harmonic)
       std::printf("Coordinates: %s\n", to_string(model.coordinates));
@@ -79,7 +89,7 @@ private:
 };
 
 void print_domain(const MP::Domain_report& report) {
-  std::printf("Domain: %s, clearance %.4g (wanted %.4g)\n", domain_name(report), report.clearance,
+  std::printf("Domain: %s, %s (wanted %.3g)\n", domain_name(report), clearance_text(report).c_str(),
               report.wanted_clearance);
   print_remarks(report);
 }

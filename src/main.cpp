@@ -76,14 +76,16 @@ void add_patch_options(CLI::App& command, Patch_options& options) {
       {"weight-deficiency", MP::Central_weight::weight_deficiency},
       {"none", MP::Central_weight::none},
       {"adjacent-products", MP::Central_weight::adjacent_products},
-      {"full-product", MP::Central_weight::full_product}};
+      {"full-product", MP::Central_weight::full_product},
+      {"automatic", MP::Central_weight::automatic}};
 
   add_domain_options(command, options);
   command
       .add_option("--central-weight", options.central_weight,
                   "weight of the central control point of a concave generalized Bezier patch\n"
                   "(default: as the file says):\n"
-                  "weight-deficiency, none, adjacent-products, full-product")
+                  "weight-deficiency, none, adjacent-products, full-product, or automatic for\n"
+                  "what suits the domain")
       ->transform(CLI::Transformer(central_weights).description(""))
       ->transform(CLI::IsMember(central_weights).description(""))
       ->type_name("NAME");

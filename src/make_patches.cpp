@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <exception>
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -47,12 +48,17 @@ private:
   static Any_patch on_coordinates(const Description& model, const Data& data) {
     auto [domain, report] = make_domain(Any_model(model));
     const Patch_coordinates coordinates(model.coordinates, domain);
-    return {Patch(data, coordinates),
-            {std::move(report), model.coordinates, coordinates.error_bound()}};
+    const Patch patch(data, coordinates);
+    Patch_origin origin{std::move(report), model.coordinates, coordinates.error_bound(),
+                        std::nullopt};
+    if constexpr (std::is_same_v<Description, Concave_model>)
+      origin.central_weight = patch.basis().central_weight();
+    return {patch, std::move(origin)};
   }
   template <typename Patch>
   static Any_patch as_it_is(const Patch& patch) {
-    return {patch, {make_domain(Any_model(patch)).report, std::nullopt, std::nullopt}};
+    return {patch,
+            {make_domain(Any_model(patch)).report, std::nullopt, std::nullopt, std::nullopt}};
   }
 };
 

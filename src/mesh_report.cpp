@@ -33,9 +33,9 @@ Json boundary_json(const MP::Boundary_deviation& boundary, double diagonal) {
 
 void print_report(const Mesh_job& job, const Mesh_report& report) {
   const MP::Domain_report& domain = report.patch->origin().domain;
-  std::printf("%s: %zu triangles, %zu vertices; domain %s, clearance %.3g; %.2f s\n",
+  std::printf("%s: %zu triangles, %zu vertices; domain %s, %s; %.2f s\n",
               job.options.output.c_str(), report.mesh.triangles, report.mesh.vertices,
-              domain_name(domain), domain.clearance, job.clock.total_seconds());
+              domain_name(domain), clearance_text(domain).c_str(), job.clock.total_seconds());
   print_remarks(domain);
   print_contact_shortfalls(job.models, {"  "});
 }

@@ -9,10 +9,13 @@
 #include <CGAL/Multisided_patches/IO/GBP.h>
 #include <CGAL/Multisided_patches/IO/internal/file_access.h>
 #include <CGAL/Multisided_patches/IO/patch_json.h>
+#include <CGAL/Multisided_patches/ribbons/internal/net_quads.h>
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 #include <optional>
+#include <system_error>
 #include <variant>
 
 namespace multipatch {
@@ -77,7 +80,10 @@ std::vector<std::string> gbp_losses(const Generalized_model& model) {
 }
 
 Any_model read_any(const std::string& file_name) {
-  switch (format_of(file_name).value_or(Model_format::cgb)) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(file_name, ignored))
+    throw MP::Input_error(file_name + ": expected a file, found a directory");
+  switch (model_format(file_name)) {
   case Model_format::gbp:
     return Generalized_model(MP::IO::read_GBP<Kernel>(file_name));
   case Model_format::json:
@@ -91,22 +97,26 @@ Any_model read_any(const std::string& file_name) {
 // The patch on the ribbons of the net that is most like that of the net.
 Concave_model with_ribbons_of(const Generalized_model& model) {
   Concave_model result{MP::Concave_bezier_model_3<Kernel>(model.net.loop())};
-  result.central_weight = MP::Central_weight::weight_deficiency;
+  // A central point without influence on the patch must not get any.
+  const bool matters = MP::internal::Middle_weights<double>(model.net.size(), model.net.degree())
+                           .central_point_matters();
+  result.central_weight =
+      matters ? MP::Central_weight::weight_deficiency : MP::Central_weight::none;
   result.central_point = model.net.central_point();
   return result;
 }
 
 } // namespace
 
-bool is_patch_file(const std::string& file_name) {
-  return format_of(file_name).has_value();
-}
-
 Model_format model_format(const std::string& file_name) {
   const auto format = format_of(file_name);
   if (!format)
     throw MP::Input_error(file_name + ": expected a name that ends in .cgb, .gbp or .patch.json");
   return *format;
+}
+
+bool is_patch_file(const std::string& file_name) {
+  return format_of(file_name).has_value();
 }
 
 Any_model read_model_file(const std::string& file_name) {

@@ -19,8 +19,7 @@ enum class Model_format { cgb, gbp, json };
 // Throws Input_error if the name is that of no format of patches.
 Model_format model_format(const std::string& file_name);
 
-// Reads a file of any of the formats; one with another name is taken for a .cgb file. Throws
-// Input_error that names the file.
+// Reads a file of any of the formats, which its name tells. Throws Input_error that names the file.
 Any_model read_model_file(const std::string& file_name);
 
 // What a format cannot hold of a model, a phrase each; it can hold all others.

@@ -8,7 +8,11 @@
 
 #include <CGAL/Multisided_patches/bases/contact_order.h>
 
+#include <cmath>
 #include <cstdio>
+#include <filesystem>
+#include <map>
+#include <system_error>
 #include <type_traits>
 #include <variant>
 
@@ -32,6 +36,20 @@ void warn_of_mismatches(const Any_model& model, const std::string& prefix) {
                    "degrees at corner %zu%s\n",
                    prefix.c_str(), concave->loop.prev(i), i, mismatch, i,
                    mismatch > 90 ? "; does one of them lead out of the hole?" : "");
+  }
+}
+
+// The same patch twice has sides in common with itself, which looks as if one of the two were
+// inside out.
+void refuse_duplicates(const std::vector<std::string>& inputs) {
+  std::map<std::filesystem::path, std::string> seen;
+  for (const std::string& input : inputs) {
+    std::error_code error;
+    const auto path = std::filesystem::canonical(input, error);
+    const auto [first, is_new] = seen.emplace(error ? std::filesystem::path(input) : path, input);
+    if (!is_new)
+      throw MP::Input_error(input + ": the file is given twice" +
+                            (first->second == input ? "" : ", first as " + first->second));
   }
 }
 
@@ -98,6 +116,7 @@ Any_model read_model(const Patch_options& options) {
 
 std::vector<Any_model> read_models(Patch_options options, const std::vector<std::string>& inputs,
                                    bool quiet) {
+  refuse_duplicates(inputs);
   std::vector<Any_model> models;
   for (const std::string& input : inputs) {
     options.input = input;
@@ -121,6 +140,14 @@ void check_index(std::size_t index, std::size_t n, const std::string& option) {
 const char* domain_name(const MP::Domain_report& report) {
   // Where a generator is asked for, the report tells which one was used in the end.
   return report.used == MP::Domain_generator::automatic ? "given" : to_string(report.used);
+}
+
+std::string clearance_text(const MP::Domain_report& report) {
+  if (!std::isfinite(report.clearance))
+    return "clearance unlimited";
+  char text[40];
+  std::snprintf(text, sizeof text, "clearance %.3g", report.clearance);
+  return text;
 }
 
 void print_remarks(const MP::Domain_report& report, const std::string& prefix) {

@@ -64,7 +64,9 @@ Json model_json(const Any_model& model, const Any_patch& patch) {
             {"largest_plane_mismatch_degrees", largest_mismatch(loop)},
             {"contact_shortfalls", contact_shortfalls_json(model)}};
   if (const auto* concave = std::get_if<Concave_model>(&model)) {
-    json["central_weight"] = to_string(concave->central_weight);
+    json["central_weight"] =
+        to_string(patch.origin().central_weight.value_or(concave->central_weight));
+    json["central_weight_requested"] = to_string(concave->central_weight);
     json["corner_control_points"] = concave->corner_control_points.size();
   }
   return json;

@@ -166,6 +166,30 @@ TEST_CASE("What the .cgb format cannot say is written as its closest choice") {
   CHECK(again.central_point == model.default_central_point());
 }
 
+TEST_CASE("A byte order mark at the beginning of a .cgb file makes no difference") {
+  CHECK(bits(read("\xef\xbb\xbf" + valid_text)) == bits(read(valid_text)));
+}
+
+TEST_CASE("An automatic central weight is written as what the patch has, and read as such") {
+  // A cross on a dome: there is a reason to choose.
+  const std::vector<Point_2> cross{{-1, -3}, {1, -3}, {1, -1}, {3, -1}, {3, 1},   {1, 1},
+                                   {1, 3},   {-1, 3}, {-1, 1}, {-3, 1}, {-3, -1}, {-1, -1}};
+  Model model(lifted_loop(cross, [](double x, double y) { return -0.1 * (x * x + y * y); }));
+  model.domain.generator = MP::Domain_generator::projected;
+  REQUIRE(model.central_weight == MP::Central_weight::automatic);
+  const MP::Concave_bezier_patch_3<Kernel> patch(model);
+  Model again = read(written(model));
+  CHECK(again.central_weight == MP::Central_weight::weight_deficiency);
+  CHECK(again.central_point == patch.control_point(patch.basis().central_index()));
+  CHECK(written(again) == written(model));
+  again.central_weight = MP::Central_weight::none; // what is asked for is written as it stands
+  CHECK(read(written(again)).central_weight == MP::Central_weight::none);
+
+  const Model plain(
+      lifted_loop({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, [](double, double) { return 0; }));
+  CHECK(read(written(plain)).central_weight == MP::Central_weight::none);
+}
+
 TEST_CASE("A model is written alike whatever the format flags and the locale of the stream") {
   const Model model = read(valid_text);
   std::ostringstream out;
@@ -192,7 +216,8 @@ TEST_CASE("A bad entry of a .cgb file is an error that says where it is and what
       {"central weight too large", 1, "4", "the central weight, an integer from 0 to 3, found '4'"},
       {"negative central weight", 1, "-1", "the central weight"},
       {"fractional central weight", 1, "1.5", "the central weight, an integer from 0 to 3"},
-      {"a byte order mark", 1, "\xef\xbb\xbf\x30", "the central weight"},
+      {"half a byte order mark", 1, "\xef\xbb\x30", "the central weight"},
+      {"two byte order marks", 1, "\xef\xbb\xbf\xef\xbb\xbf\x30", "the central weight"},
       {"domain type too large", 2, "4", "the domain type, an integer from 0 to 3, found '4'"},
       {"negative domain type", 2, "-1", "the domain type"},
       {"fractional domain type", 2, "1.5", "the domain type"},

@@ -43,6 +43,36 @@ TEST_CASE("Exact measures rounding errors, with the yardstick that the domain al
   CHECK(work.files().empty());
 }
 
+TEST_CASE("Exact measures patches of every type, with the stages that they have") {
+  const Scratch work("exact_types");
+  const std::string head = R"({"format": "multisided-patch", "version": 1, "type": )";
+  work.write("net.gbp", "5 1\n0 0 0\n1 0 0\n0.3 1 0.1\n-0.8 0.6 0\n-0.8 -0.6 0.1\n0.3 -1 0\n");
+  work.write("s.patch.json", head + R"("s-patch", "number_of_sides": 5, "depth": 1,
+    "control_points": [[1, 0, 0], [0.3, 1, 0.1], [-0.8, 0.6, 0], [-0.8, -0.6, 0.1], [0.3, -1, 0]]})");
+  work.write("tensor.patch.json", head + R"("tensor-product", "degree_u": 1, "degree_v": 1,
+    "control_points": [[0, 0, 0], [1, 0, 1], [0, 1, 0], [1, 1, 0.3]]})");
+  work.write("triangle.patch.json", head + R"("bezier-triangle", "degree": 1,
+    "control_points": [[0, 0, 0], [1, 0, 0.1], [0, 1, 0.7]]})");
+  const auto run = [&](const std::string& name) {
+    const std::string json = work.run_well("exact --samples 3 --json - " + name);
+    const double largest = number(json, "points", "max_relative");
+    CHECK(largest < 1e-14);
+    CHECK(number(json, "second_derivatives", "max_relative") < 1e-10);
+    return work.run_well("exact --samples 3 " + name);
+  };
+  CHECK_THAT(run("net.gbp"),
+             StartsWith("Wachspress coordinates, ") && Contains("side parameter h"));
+  CHECK_THAT(run("s.patch.json"),
+             StartsWith("Wachspress coordinates, ") && !Contains("side parameter"));
+  for (const std::string name : {"tensor.patch.json", "triangle.patch.json"})
+    CHECK_THAT(run(name), StartsWith("polynomials, double precision against exact rational ") &&
+                              !Contains("weights"));
+  CHECK_THAT(work.run_well("exact --samples 3 --json - s.patch.json"),
+             Contains("\"coordinates\": \"Wachspress\""));
+  CHECK_THAT(work.run_well("exact --samples 3 --json - tensor.patch.json"),
+             Contains("\"coordinates\": null"));
+}
+
 TEST_CASE("Exact writes JSON to a file or to standard output") {
   const Scratch work("exact_json");
   const std::string arguments = "exact --samples 5 " + model("u_vent");

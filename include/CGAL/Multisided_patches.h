@@ -22,6 +22,7 @@
 #include <CGAL/Multisided_patches/analysis/fairness_report.h>
 #include <CGAL/Multisided_patches/analysis/mesh_topology.h>
 #include <CGAL/Multisided_patches/analysis/rounding_report.h>
+#include <CGAL/Multisided_patches/bases/automatic_central_weight.h>
 #include <CGAL/Multisided_patches/bases/contact_order.h>
 #include <CGAL/Multisided_patches/coordinates/Harmonic_coordinates_2.h>
 #include <CGAL/Multisided_patches/coordinates/Mean_value_coordinates_2.h>
@@ -40,7 +41,11 @@
 #include <CGAL/Multisided_patches/patches/Surface_geometry_3.h>
 #include <CGAL/Multisided_patches/patches/Tensor_product_patch_3.h>
 #include <CGAL/Multisided_patches/patches/central_control_point.h>
+#include <CGAL/Multisided_patches/patches/closest_parameters.h>
+#include <CGAL/Multisided_patches/patches/fair_central_point.h>
 #include <CGAL/Multisided_patches/patches/fill_with_S_patch.h>
+#include <CGAL/Multisided_patches/patches/fit_generalized_bezier_net.h>
+#include <CGAL/Multisided_patches/patches/with_resolved_central_weight.h>
 #include <CGAL/Multisided_patches/ribbons/Bezier_curve_3.h>
 #include <CGAL/Multisided_patches/ribbons/Bspline_curve_3.h>
 #include <CGAL/Multisided_patches/ribbons/Ribbon_loop_3.h>

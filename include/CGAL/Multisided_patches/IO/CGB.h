@@ -11,6 +11,7 @@
 #include <CGAL/Multisided_patches/IO/internal/point_text.h>
 #include <CGAL/Multisided_patches/internal/to_text.h>
 #include <CGAL/Multisided_patches/patches/Concave_bezier_model_3.h>
+#include <CGAL/Multisided_patches/patches/with_resolved_central_weight.h>
 
 #include <algorithm>
 #include <array>
@@ -159,15 +160,17 @@ void check_limits(const Concave_bezier_model_3<Traits>& model) {
 
 /*!
  * writes a patch in `.cgb` format. Numbers have as many digits as it takes to read the same doubles
- * back. The format knows only four ways to make a domain; others are written as similarity.
+ * back. The format knows only four ways to make a domain; others are written as similarity. It has
+ * no automatic central weight: what is written is `with_resolved_central_weight(model)`.
  *
  * \throws Input_error if the model exceeds `CGB_limits`, or an option is not finite or negative
  */
 template <typename Traits>
-void write_CGB(std::ostream& out, const Concave_bezier_model_3<Traits>& model) {
+void write_CGB(std::ostream& out, const Concave_bezier_model_3<Traits>& given) {
   using Multisided_patches::internal::point_line;
   using Multisided_patches::internal::to_text;
-  internal::check_limits(model);
+  internal::check_limits(given);
+  const Concave_bezier_model_3<Traits> model = with_resolved_central_weight(given);
   const auto index_of = [](const auto& values, auto value, std::size_t otherwise) {
     const auto found = std::find(values.begin(), values.end(), value);
     return std::to_string(found == values.end() ? otherwise : found - values.begin());

@@ -23,7 +23,10 @@ enum class Central_weight {
   //! n Σ_i h_i² (1 - h_i)² h_{i+1}² (1 - h_{i+1})², for n = 3 the product 3 Π_i h_i² (1 - h_i)²
   adjacent_products,
   //! 2/9 (1 - 2/n)^{-2n} Π_i h_i², which is 2/9 where all coordinates are equal
-  full_product
+  full_product,
+  //! one of the others, which a patch chooses for its domain when it is made: see
+  //! `automatic_central_weight()`. A basis has no domain, and needs one of the others.
+  automatic
 };
 
 //! the name of a variant, for messages and files
@@ -37,6 +40,8 @@ inline const char* to_string(Central_weight weight) {
     return "adjacent-products";
   case Central_weight::full_product:
     return "full-product";
+  case Central_weight::automatic:
+    return "automatic";
   }
   return "";
 }

@@ -61,7 +61,7 @@ public:
   /*!
    * \param degrees_and_layers the degree along and the number of layers of each side, both at
    * least 1
-   * \param central_weight how the central control point is weighted
+   * \param central_weight how the central control point is weighted, not `automatic`
    * \param parameter_options what goes into the side parameters, see `compute_side_parameters()`
    * \param corners the sides at whose ends there are extra control points
    */
@@ -75,6 +75,7 @@ public:
       offsets_.push_back(ribbon_points_);
       ribbon_points_ += (blending_[i].degree + 1) * blending_[i].layers;
     }
+    CGAL_precondition(central_weight_ != Central_weight::automatic);
     CGAL_precondition(std::all_of(corners_.begin(), corners_.end(),
                                   [this](std::size_t i) { return i < number_of_sides(); }));
   }
@@ -134,6 +135,14 @@ public:
     for (std::size_t c = 0; c < corners_.size(); ++c)
       weights[corner_index(c)] = factors.corners[c] * scale;
     weights[central_index()] = factors.central * scale;
+  }
+
+  //! what the weights of the ribbons, before all weights are divided by their sum, lack to 1:
+  //! their deficiency, without extra control points at corners. Parameters as for `evaluate()`
+  template <typename T, typename Domain>
+  T weight_deficiency(const Domain& domain, const T* lambda, Workspace<T>& factors) const {
+    blending_.evaluate(domain, lambda, parameter_options_, factors.ribbons);
+    return factors.ribbons.deficiency;
   }
 
   /*!

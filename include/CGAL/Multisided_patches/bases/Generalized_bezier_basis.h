@@ -64,6 +64,8 @@ public:
   std::size_t size() const { return central_index_ + 1; }
   //! the index of the central control point
   std::size_t central_index() const { return central_index_; }
+  //! what goes into the side parameters: nothing but the coordinates
+  Side_parameter_options parameter_options() const { return {}; }
 
   //! memory for evaluation, which may be used for one point after the other
   template <typename T>

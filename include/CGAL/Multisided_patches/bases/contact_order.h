@@ -24,7 +24,8 @@ namespace Multisided_patches {
 namespace internal {
 
 // The order to which the weight of the central control point vanishes on the sides. The deficiency
-// vanishes to the order that everything else leaves it.
+// vanishes to the order that everything else leaves it; and what is chosen automatically never
+// lowers an order of contact.
 inline std::size_t vanishing_order(Central_weight weight) {
   const bool product =
       weight == Central_weight::adjacent_products || weight == Central_weight::full_product;
@@ -118,10 +119,10 @@ std::vector<std::string> missing_for_contact(const Loop& loop, std::size_t i,
  * | 2     | 3                | 5                           | 3                         |
  * | r     | r + 1            | 2r + 1                      | r + 1                     |
  *
- * and with the central weights `adjacent_products` and `full_product` it is not higher than 1. The
- * degree of side i itself and the layers of its neighbours do not matter, nor do the domain and the
- * parameter dilation. At the corners, where weights are discontinuous, nothing is said. The manual
- * has the reasons.
+ * and with the central weights `adjacent_products` and `full_product` it is not higher than 1;
+ * `automatic` has the orders of `none`. The degree of side i itself and the layers of its
+ * neighbours do not matter, nor do the domain and the parameter dilation. At the corners, where
+ * weights are discontinuous, nothing is said. The manual has the reasons.
  *
  * \tparam Loop `Ribbon_loop_3`, or a class with its `size()`, `next()` and `prev()` whose
  * `operator[]` gives objects with `degree()` and `layers()`

@@ -44,9 +44,10 @@ struct Concave_bezier_model_3 {
   Concave_bezier_model_3(Loop ribbon_loop) : loop(std::move(ribbon_loop)) {}
 
   Loop loop;
-  //! the central control point (model units); if there is none, `default_central_point()` is used
+  //! the central control point (model units); if there is none, `default_central_point()` is used,
+  //! or `fair_central_point()` by a patch that chooses the weight itself
   std::optional<Point_3> central_point;
-  Central_weight central_weight = Central_weight::none;
+  Central_weight central_weight = Central_weight::automatic;
   Domain_options domain;
   //! δ in h_i = (1 - λ_i - λ_{i+1}) (1 - δ λ_{i-1} λ_{i+2}); 0 is the plain side parameter
   double parameter_dilation = 0;

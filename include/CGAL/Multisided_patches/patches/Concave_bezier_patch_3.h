@@ -7,12 +7,14 @@
 #define CGAL_MULTISIDED_PATCHES_CONCAVE_BEZIER_PATCH_3_H
 
 #include <CGAL/Multisided_patches/bases/Concave_bezier_basis.h>
+#include <CGAL/Multisided_patches/bases/automatic_central_weight.h>
 #include <CGAL/Multisided_patches/coordinates/Harmonic_coordinates_2.h>
 #include <CGAL/Multisided_patches/domains/make_domain.h>
 #include <CGAL/Multisided_patches/errors.h>
 #include <CGAL/Multisided_patches/internal/check_finite.h>
 #include <CGAL/Multisided_patches/internal/to_text.h>
 #include <CGAL/Multisided_patches/patches/Concave_bezier_model_3.h>
+#include <CGAL/Multisided_patches/patches/fair_central_point.h>
 #include <CGAL/Multisided_patches/patches/internal/Control_net_patch.h>
 
 #include <cmath>
@@ -31,8 +33,10 @@ namespace Multisided_patches {
  *
  * The patch is the `Concave_bezier_basis` on barycentric coordinates of a planar domain, times the
  * control points. It has the boundary curves and, from 2 layers and degree 3 on, the tangent planes
- * of its ribbons. A patch is complete when it is constructed, never changes, and can be evaluated
- * from many threads at once.
+ * of its ribbons. Where the model leaves the central weight to the patch (`automatic`, the
+ * default), `basis().central_weight()` is the one that was chosen; if that is not `none` and the
+ * model has no central control point, the patch has `fair_central_point()`. A patch is complete
+ * when it is constructed, never changes, and can be evaluated from many threads at once.
  *
  * \tparam Traits a CGAL kernel with exact predicates
  * \tparam Coordinates a model of `BarycentricCoordinates_2`
@@ -65,15 +69,27 @@ public:
    * \throws Input_error if the numbers of vertices and ribbons differ
    */
   Concave_bezier_patch_3(const Model& model, const Coordinates& coordinates)
-      : Base(model.loop, coordinates, Base::report_on(coordinates.domain()), make_basis(model),
-             control_points(model)) {}
+      : Concave_bezier_patch_3(model, coordinates, Base::report_on(coordinates.domain())) {}
 
 private:
   Concave_bezier_patch_3(const Model& model, Generated_domain<Traits> generated)
-      : Base(model.loop, Base::make_coordinates(generated.domain), std::move(generated.report),
-             make_basis(model), control_points(model)) {}
+      : Concave_bezier_patch_3(model, Base::make_coordinates(generated.domain),
+                               std::move(generated.report)) {}
 
-  static Concave_bezier_basis make_basis(const Model& model) {
+  // What comes later needs what comes before: first the coordinates, then the basis, then the
+  // control points. Nothing is moved from until all are there.
+  Concave_bezier_patch_3(const Model& model, Coordinates coordinates, Domain_report report)
+      : Concave_bezier_patch_3(model, std::move(coordinates), std::move(report),
+                               make_basis(model, coordinates)) {}
+  Concave_bezier_patch_3(const Model& model, Coordinates&& coordinates, Domain_report&& report,
+                         Concave_bezier_basis&& basis)
+      : Concave_bezier_patch_3(model, std::move(coordinates), std::move(report), std::move(basis),
+                               control_points(model, coordinates, basis)) {}
+  Concave_bezier_patch_3(const Model& model, Coordinates&& coordinates, Domain_report&& report,
+                         Concave_bezier_basis&& basis, const std::vector<Point_3>& points)
+      : Base(model.loop, std::move(coordinates), std::move(report), std::move(basis), points) {}
+
+  static Concave_bezier_basis make_basis(const Model& model, const Coordinates& coordinates) {
     check_options(model);
     std::vector<std::pair<std::size_t, std::size_t>> degrees_and_layers;
     for (const auto& ribbon : model.loop.ribbons())
@@ -84,10 +100,22 @@ private:
     for (std::size_t i = 0; i < model.loop.size(); ++i)
       if (model.loop.corner_type(i) == Corner_type::reflex)
         reflex_corners.push_back(i);
-    return Concave_bezier_basis(
-        degrees_and_layers, model.central_weight,
-        {model.parameter_dilation, model.reflex_weight, std::move(reflex_corners)},
-        std::move(corners));
+    Side_parameter_options parameter_options{model.parameter_dilation, model.reflex_weight,
+                                             std::move(reflex_corners)};
+    const Central_weight central_weight = choose_weight(model, coordinates, parameter_options);
+    return Concave_bezier_basis(degrees_and_layers, central_weight, std::move(parameter_options),
+                                std::move(corners));
+  }
+
+  static Central_weight choose_weight(const Model& model, const Coordinates& coordinates,
+                                      const Side_parameter_options& parameter_options) {
+    if (model.central_weight != Central_weight::automatic)
+      return model.central_weight;
+    const auto& domain = coordinates.domain();
+    if (domain.size() != model.loop.size() || domain.number_of_loops() != 1)
+      return Central_weight::none; // the base class will refuse it
+    return automatic_central_weight(model.loop, coordinates, parameter_options,
+                                    !model.corner_control_points.empty());
   }
 
   static void check_options(const Model& model) {
@@ -112,13 +140,17 @@ private:
     }
   }
 
-  static std::vector<Point_3> control_points(const Model& model) {
+  static std::vector<Point_3> control_points(const Model& model, const Coordinates& coordinates,
+                                             const Concave_bezier_basis& basis) {
     std::vector<Point_3> points;
     for (const auto& ribbon : model.loop.ribbons())
       points.insert(points.end(), ribbon.control_points().begin(), ribbon.control_points().end());
     for (const auto& corner : model.corner_control_points)
       points.push_back(corner.point);
     points.push_back(model.central_point.value_or(model.default_central_point()));
+    if (!model.central_point && model.central_weight == Central_weight::automatic &&
+        basis.central_weight() != Central_weight::none)
+      points.back() = internal::fair_central_point(coordinates, basis, points);
     return points;
   }
 };

@@ -86,8 +86,10 @@ template <typename Patch, typename Traits>
 typename Patch::Point_3
 central_point_for(const Patch& patch, const Concave_bezier_model_3<Traits>& model,
                   const typename Patch::Point_2& uv, const typename Patch::Point_3& point) {
-  return central_point_for(patch, model.central_point.value_or(model.default_central_point()), uv,
-                           point);
+  // Where the model leaves it to the patch, only the patch knows.
+  return central_point_for(
+      patch, model.central_point.value_or(patch.control_point(patch.basis().central_index())), uv,
+      point);
 }
 
 //! the same for a patch that was made from `net`

@@ -110,7 +110,9 @@ Generalized_bezier_net_3<Traits> elevate_net(const Generalized_bezier_net_3<Trai
 }
 
 /*!
- * lowers the degree of a control net to `degree`: the inverse of `elevate_net()`.
+ * lowers the degree of a control net to `degree`: the inverse of `elevate_net()` (Várady, Salvi and
+ * Kovács, *Enhancement of a multi-sided Bézier surface representation*, Computer Aided Geometric
+ * Design 55, 2017, reduce curves as it does rows).
  *
  * If the net is an elevation, then this is the net of which it is one, but for a central point
  * without influence on the patch. Otherwise it is an approximation, which from each corner on keeps

@@ -6,6 +6,7 @@
 #ifndef CGAL_MULTISIDED_PATCHES_IO_INTERNAL_POINT_LINE_READER_H
 #define CGAL_MULTISIDED_PATCHES_IO_INTERNAL_POINT_LINE_READER_H
 
+#include <CGAL/Multisided_patches/IO/internal/file_access.h>
 #include <CGAL/Multisided_patches/IO/internal/number_token.h>
 #include <CGAL/Multisided_patches/errors.h>
 
@@ -27,7 +28,10 @@ class Point_line_reader {
 public:
   enum class Line { point, blank, end };
 
-  Point_line_reader(std::istream& in, std::string name) : in_(in), name_(std::move(name)) {}
+  // A byte order mark at the beginning does not count.
+  Point_line_reader(std::istream& in, std::string name) : in_(in), name_(std::move(name)) {
+    skip_byte_order_mark(in_);
+  }
 
   // Goes to the next line that is more than a comment.
   Line next() {

@@ -6,6 +6,7 @@
 #ifndef CGAL_MULTISIDED_PATCHES_IO_INTERNAL_TOKEN_READER_H
 #define CGAL_MULTISIDED_PATCHES_IO_INTERNAL_TOKEN_READER_H
 
+#include <CGAL/Multisided_patches/IO/internal/file_access.h>
 #include <CGAL/Multisided_patches/IO/internal/number_token.h>
 #include <CGAL/Multisided_patches/errors.h>
 
@@ -23,7 +24,10 @@ namespace internal {
 // than one short token, so that a file of any size and content is refused at its first bad token.
 class Token_reader {
 public:
-  Token_reader(std::istream& in, std::string name) : in_(in), name_(std::move(name)) {}
+  // A byte order mark at the beginning does not count.
+  Token_reader(std::istream& in, std::string name) : in_(in), name_(std::move(name)) {
+    skip_byte_order_mark(in_);
+  }
 
   // An integer in [min, max]; `what` completes "expected ..." in the message.
   std::size_t integer(const std::string& what, std::size_t min, std::size_t max) {

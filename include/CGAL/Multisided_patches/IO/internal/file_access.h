@@ -11,6 +11,7 @@
 #include <cctype>
 #include <filesystem>
 #include <fstream>
+#include <istream>
 #include <locale>
 #include <random>
 #include <string>
@@ -36,6 +37,21 @@ inline std::ifstream open_for_reading(const std::string& file_name) {
   if (!in)
     throw Input_error(file_name + ": cannot be opened for reading");
   return in;
+}
+
+// Goes past the byte order mark with which some editors begin text in UTF-8, if there is one at the
+// beginning of the stream; a part of one stays.
+inline void skip_byte_order_mark(std::istream& in) {
+  int count = 0;
+  for (const int byte : {0xEF, 0xBB, 0xBF}) {
+    if (in.peek() != byte) {
+      for (; count > 0; --count)
+        in.unget();
+      return;
+    }
+    in.get();
+    ++count;
+  }
 }
 
 // A file that appears under its name whole or not at all: what is written goes to a file beside it,

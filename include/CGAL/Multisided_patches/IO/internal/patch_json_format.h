@@ -41,7 +41,7 @@ inline constexpr std::array all_coordinates{
     Coordinates_choice::harmonic, Coordinates_choice::mean_value, Coordinates_choice::wachspress};
 inline constexpr std::array all_central_weights{
     Central_weight::weight_deficiency, Central_weight::none, Central_weight::adjacent_products,
-    Central_weight::full_product};
+    Central_weight::full_product, Central_weight::automatic};
 inline constexpr std::array all_generators{
     Domain_generator::automatic,        Domain_generator::projected, Domain_generator::similarity,
     Domain_generator::similarity_outer, Domain_generator::curved,    Domain_generator::circular,
