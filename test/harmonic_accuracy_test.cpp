@@ -140,6 +140,56 @@ TEST_CASE("Polygons with hundreds of vertices are no different", "[harmonic]") {
   }
 }
 
+// No polygon is known that has fewer equations than unknowns to begin with, so here one point is
+// taken where a hundred were needed.
+TEST_CASE("Where equations would be too few there are more, and the error bound is honest",
+          "[harmonic]") {
+  namespace harmonic = MP::internal::harmonic;
+  for (const Points& polygon : {l_shape(), unit_u_shape(), star()}) {
+    std::vector<harmonic::Complex> vertices;
+    std::vector<std::size_t> next;
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+      vertices.emplace_back(polygon[k].x(), polygon[k].y());
+      next.push_back((k + 1) % polygon.size());
+    }
+    const harmonic::Boundary boundary(vertices, next);
+    const harmonic::Bisection_mesh mesh = harmonic::triangulate_boundary(vertices, boundary);
+    const double tau = 1e-5, few = 0.01;
+
+    harmonic::Bisection_mesh refined = mesh;
+    const harmonic::Cover cover = harmonic::Cover_builder(boundary, tau, refined).build();
+    const std::vector<harmonic::Interface> interfaces =
+        harmonic::find_interfaces(refined, cover.cell_of);
+    CHECK(harmonic::Interface_assembler(cover.cells, interfaces).oversampling() ==
+          harmonic::Interface_assembler::usual_oversampling);
+    CHECK(harmonic::Interface_assembler(cover.cells, interfaces, few).oversampling() > 10 * few);
+
+    const harmonic::Solution solution =
+        harmonic::solve_laplace<CGAL::Sequential_tag>(boundary, mesh, tau, 1e-8, few);
+    CHECK(solution.error < 1e-2);
+    const Harmonic_coordinates_2 fine(Domain(polygon), 1e-11);
+    std::vector<double> values(solution.basis.stride());
+    for (const Point_2& p : random_points_inside(fine.domain(), 300)) {
+      const harmonic::Complex z(p.x(), p.y());
+      solution.basis.evaluate<0>(solution.basis.locate(z), z, values.data());
+      const auto expected = evaluate<0>(fine, p);
+      for (std::size_t i = 0; i < polygon.size(); ++i)
+        CHECK(std::abs(values[i] - expected[i][0]) <= solution.error + fine.error_bound());
+    }
+  }
+}
+
+TEST_CASE("A cell that touches others almost nowhere is refused", "[harmonic]") {
+  namespace harmonic = MP::internal::harmonic;
+  const std::vector<harmonic::Cell> cells{harmonic::Interior_cell({0, 0}, 1, 20),
+                                          harmonic::Interior_cell({1, 0}, 1, 20)};
+  const std::vector<harmonic::Interface> touching{{{0, 1}, {{{0.5, 0}, {0.5, 1e-9}}}}};
+  CHECK_THROWS_AS(harmonic::Interface_assembler(cells, touching), MP::Numerical_error);
+  const std::vector<harmonic::Interface> common{{{0, 1}, {{{0.5, -0.5}, {0.5, 0.5}}}}};
+  CHECK(harmonic::Interface_assembler(cells, common).oversampling() >
+        harmonic::Interface_assembler::usual_oversampling);
+}
+
 // Without it, a comb's back would be joined to all teeth from its two ends.
 TEST_CASE("A long side is cut where vertices are near, unless others are nearer", "[harmonic]") {
   using MP::internal::harmonic::Side_subdivision;

@@ -41,6 +41,42 @@ void check_orthonormal_basis(const Matrix& a) {
 
 } // namespace
 
+// Small sizes, and some that are larger than what a kernel does at a
+// time.
+TEST_CASE("The matrix kernels do what their formulas say", "[harmonic]") {
+  std::vector<Index> sizes;
+  for (Index n = 1; n <= 14; ++n)
+    sizes.push_back(n);
+  sizes.insert(sizes.end(), {25, 300});
+  for (const Index n : sizes)
+    for (const Index m : {1, 2, 3, 4, 7, 8, 11, 12, 13, 24, 31}) {
+      INFO(n << " by " << m);
+      const Matrix a = random_matrix(n, m, 1), b = random_matrix(m, n, 2),
+                   c = random_matrix(n, n, 3), d = random_matrix(n, m, 4);
+      Matrix sum = c, transposed;
+      add_product(0.5, a, b, sum);
+      CHECK((sum - (c + 0.5 * (a * b))).norm() <= 1e-14 * double(n * m));
+      add_transposed_product(-2, a, d, transposed);
+      CHECK((transposed + 2 * (a.transpose() * d)).norm() <= 1e-14 * double(n * m));
+      Matrix gram = Matrix::Identity(m, m);
+      add_gram_matrix(1, a, gram);
+      const Matrix expected = Matrix::Identity(m, m) + a.transpose() * a;
+      const Matrix upper = (gram - expected).triangularView<Eigen::Upper>();
+      CHECK(upper.norm() <= 1e-14 * double(n * m));
+
+      const Matrix u = *cholesky(expected);
+      CHECK((u.transpose() * u - expected).norm() <= 1e-14 * expected.norm());
+      Matrix x = b, y = b, z = a;
+      solve_upper(u, x);
+      CHECK((u * x - b).norm() <= 1e-14 * double(n * m));
+      solve_upper_transposed(u, y);
+      CHECK((u.transpose() * y - b).norm() <= 1e-14 * double(n * m));
+      solve_upper_from_right(u, z);
+      CHECK((z * u - a).norm() <= 1e-14 * double(n * m));
+    }
+  CHECK_FALSE(cholesky(-Matrix::Identity(3, 3)));
+}
+
 TEST_CASE("A matrix is the product of its orthonormal basis and a triangular one", "[harmonic]") {
   check_orthonormal_basis(random_matrix(50, 20, 1));
   check_orthonormal_basis(powers(100, 8));

@@ -254,8 +254,8 @@ private:
   // tau from the target: fitted to the errors that were measured on many shapes, and a little less
   // for many vertices, as the largest of more errors counts.
   static double initial_tau(double target_error, std::size_t n) {
-    const double tau = (std::min)(20 * std::pow(target_error, 0.83), //
-                                  3.7 * std::pow(target_error, 0.73));
+    const double tau = (std::min)(16 * std::pow(target_error, 0.83), //
+                                  3.0 * std::pow(target_error, 0.73));
     return tau * (std::min)(1., std::pow(40. / static_cast<double>(n), 0.7));
   }
 

@@ -153,7 +153,10 @@ private:
         updates.size(),
         [&](std::size_t k) {
           const Update& u = updates[k];
-          harmonic::add_transposed_product(-1, u.a.block, u.b.block, u.target);
+          if (&u.a == &u.b)
+            add_gram_matrix(-1, u.a.block, u.target);
+          else
+            harmonic::add_transposed_product(-1, u.a.block, u.b.block, u.target);
         },
         1);
   }

@@ -82,7 +82,7 @@ public:
 
 private:
   // A power series may reach this far, relative to its radius of convergence.
-  static constexpr double max_ratio = 0.6;
+  static constexpr double max_ratio = 0.55;
   // The series at a sharp corner converges almost to the end; this only keeps off rounding.
   static constexpr double max_corner_ratio = 1 - 1e-9;
   // The most terms at a corner; they decide how far its cell reaches.

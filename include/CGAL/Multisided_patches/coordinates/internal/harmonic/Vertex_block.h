@@ -9,6 +9,7 @@
 #include <CGAL/Multisided_patches/coordinates/internal/harmonic/dense_algebra.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace CGAL {
@@ -48,6 +49,14 @@ private:
 
   std::size_t vertices_, width_;
 };
+
+// 1 or -1: what column j of a few random combinations has for an index i
+inline double random_sign(std::size_t i, Index j) {
+  std::uint32_t h = static_cast<std::uint32_t>(i) * 0x9e3779b1u + static_cast<std::uint32_t>(j);
+  h = (h ^ (h >> 16)) * 0x85ebca6bu;
+  h = (h ^ (h >> 13)) * 0xc2b2ae35u;
+  return h >> 31 ? 1 : -1;
+}
 
 } // namespace harmonic
 } // namespace internal

@@ -39,6 +39,13 @@ inline void add_transposed_product(double factor, const Matrix& a, const Matrix&
   c.noalias() += factor * (a.transpose() * b);
 }
 
+// adds factor a^T a to the upper triangle of c, and nothing to the rest; an empty c stands for zero
+inline void add_gram_matrix(double factor, const Matrix& a, Matrix& c) {
+  if (c.size() == 0)
+    c.setZero(a.cols(), a.cols());
+  c.selfadjointView<Eigen::Upper>().rankUpdate(a.transpose(), factor);
+}
+
 // replaces b by u^{-1} b, for an upper triangular u
 inline void solve_upper(const Matrix& u, Matrix& b) {
   u.triangularView<Eigen::Upper>().solveInPlace(b);
@@ -54,7 +61,8 @@ inline void solve_upper_from_right(const Matrix& u, Matrix& a) {
   u.triangularView<Eigen::Upper>().solveInPlace<Eigen::OnTheRight>(a);
 }
 
-// the upper triangular u with u^T u = a, if a is positive definite
+// the upper triangular u with u^T u = a, if a is positive definite; of a, only the upper triangle
+// counts
 inline std::optional<Matrix> cholesky(const Matrix& a) {
   const Eigen::LLT<Matrix, Eigen::Upper> factorization(a);
   if (factorization.info() != Eigen::Success)
@@ -121,7 +129,8 @@ inline Orthonormal_basis orthonormalize(Matrix a) {
   }
   for (int pass = 0;; ++pass) {
     result.gram.resize(0, 0);
-    add_transposed_product(1, a, a, result.gram);
+    add_gram_matrix(1, a, result.gram);
+    result.gram = result.gram.selfadjointView<Eigen::Upper>().toDenseMatrix();
     if (pass > 0 && (result.gram - Matrix::Identity(columns, columns)).norm() < 0.5)
       break;
     if (pass == max_passes)
