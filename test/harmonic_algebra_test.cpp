@@ -41,8 +41,7 @@ void check_orthonormal_basis(const Matrix& a) {
 
 } // namespace
 
-// Small sizes, and some that are larger than what a kernel does at a
-// time.
+// Small sizes, and some that are larger than what a kernel does at a time.
 TEST_CASE("The matrix kernels do what their formulas say", "[harmonic]") {
   std::vector<Index> sizes;
   for (Index n = 1; n <= 14; ++n)
