@@ -75,7 +75,7 @@ def machine(results, options):
          f", {context['num_cpus']} cores at {context['mhz_per_cpu']} MHz"],
         ["caches", caches],
         ["memory", f"{int(memory) / 2**20:.0f} GiB" if memory.isdigit() else memory],
-        ["system", f"{platform.system()} {platform.release()}, " +
+        ["system", f"{platform.system()}, " +
          first_line("/etc/os-release", r'^PRETTY_NAME="(.*)"')],
         ["compiler", f"{context.get('compiler', 'unknown')}, {options.build}"],
         ["libraries", f"CGAL {context.get('CGAL')}, Eigen {context.get('Eigen')}"],
