@@ -181,9 +181,9 @@ private:
     Edge_halver<Traits, Field, ConcurrencyTag> halver(mesh_.points, metric_, triangles_, segments_);
     for (std::size_t length = std::size_t(1) << halvings_; length > 1; length /= 2) {
       if (length >= 4 && length < std::size_t(1) << halvings_) { // few points in comparison
-        update_field(remeasure, keep);
-        refine_where_needed<ConcurrencyTag, Traits>(mesh_.points, metric_, triangles_, max_points,
-                                                    progress);
+        if (update_field(remeasure, keep))
+          refine_where_needed<ConcurrencyTag, Traits>(mesh_.points, metric_, triangles_, max_points,
+                                                      progress);
       }
       metric_.scale_lengths(2);
       const std::size_t least =
@@ -204,7 +204,8 @@ private:
   void adapt_coarse_mesh(std::size_t max_points, const Progress& progress,
                          const Remeasure& remeasure, Keep keep) {
     triangles_ = triangulation_->triangles();
-    update_field(remeasure, keep);
+    if (!update_field(remeasure, keep))
+      return;
     const std::vector<char> is_bad =
         find_bad_triangles<ConcurrencyTag>(mesh_.points, metric_, triangles_);
     const auto count = std::count(is_bad.begin(), is_bad.end(), true);
@@ -216,13 +217,13 @@ private:
     refiner_->refine(max_points, progress);
   }
 
-  // Measures the metric on the mesh as it is.
+  // Measures the metric on the mesh as it is. Returns false if that is known already.
   template <typename Remeasure>
-  void update_field(const Remeasure& remeasure, Keep keep) {
+  bool update_field(const Remeasure& remeasure, Keep keep) {
     mesh_.locations.resize(mesh_.points.size(), Location::interior());
     std::optional<Field> field = remeasure(mesh_, triangles_);
     if (!field)
-      return;
+      return false;
     const double old_area = area();
     finer_field_ = std::move(*field);
     metric_.set_field(*finer_field_);
@@ -238,6 +239,7 @@ private:
     });
     if (keep == Keep::number_of_triangles)
       metric_.scale_lengths(std::sqrt(old_area / area()));
+    return true;
   }
 
   // Of the triangles, in the metric.
