@@ -9,10 +9,13 @@
 #include <CGAL/Multisided_patches/meshing/sample_side.h>
 #include <CGAL/Multisided_patches/meshing/tessellate.h>
 #include <CGAL/Multisided_patches/meshing/tessellate_complex.h>
+#include <memory>
 
 #include <CGAL/Polyhedron_3.h>
 
 #include <limits>
+#include <memory>
+#include <stdexcept>
 
 using namespace fixtures;
 using Polyhedron = CGAL::Polyhedron_3<Kernel>;
@@ -315,4 +318,25 @@ TEST_CASE("A visitor hears of a complex and can cancel it") {
   for (const auto& density : {MP::Mesh_density(4), MP::Mesh_density::triangles(2000),
                               MP::Mesh_density::chordal_deviation(0.1)})
     check_cancelling(complex, density);
+}
+
+TEST_CASE("A map that throws leaves a mesh that is whole") {
+  struct Throwing_map {
+    using key_type = Mesh::Vertex_index;
+    using value_type = Point_2;
+    using reference = Point_2;
+    using category = boost::writable_property_map_tag;
+    std::shared_ptr<int> calls = std::make_shared<int>(0);
+    friend void put(const Throwing_map& map, key_type, const Point_2&) {
+      if (++*map.calls == 10)
+        throw std::runtime_error("no more");
+    }
+  };
+  const Patch patch(lifted_loop(u_shape(), bowl));
+  Mesh mesh, expected;
+  CHECK_THROWS_AS(MP::tessellate(patch, mesh, 0.3, MP::Mesh_maps().vertex_uv_map(Throwing_map())),
+                  std::runtime_error);
+  MP::tessellate(patch, expected, 0.3, MP::Mesh_maps());
+  CHECK(mesh.is_valid(false));
+  CHECK((triangles(mesh) == triangles(expected)));
 }

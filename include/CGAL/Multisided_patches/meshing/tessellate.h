@@ -19,6 +19,7 @@
 #include <cstddef>
 #include <numeric>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -51,17 +52,17 @@ template <typename ConcurrencyTag = Parallel_if_available_tag, typename Patch, t
           typename Maps = Default_maps, typename Visitor = Tessellation_visitor>
 void tessellate(const Patch& patch, const Domain_mesh_2<typename Patch::Geom_traits>& domain_mesh,
                 FaceGraph& mesh, const Maps& maps = Maps(), Visitor&& visitor = Visitor()) {
-  auto patch_mesh = internal::evaluate_vertices<ConcurrencyTag>(patch, domain_mesh, visitor);
-  internal::fill_missing_normals(patch_mesh);
+  std::vector<internal::Patch_mesh<Patch>> patch_mesh{
+      internal::evaluate_vertices<ConcurrencyTag>(patch, domain_mesh, visitor)};
+  internal::fill_missing_normals(patch_mesh.front());
   const std::size_t n = domain_mesh.points.size();
   internal::report_progress(visitor, Tessellation_stage::assembly, 0, n);
   const auto all_maps = internal::maps_or_default<Patch>(maps, mesh);
-  internal::Mesh_builder<FaceGraph, std::decay_t<decltype(all_maps)>> builder(mesh, all_maps);
-  builder.make_room(n, domain_mesh.triangles.size());
   std::vector<std::size_t> numbers(n);
   std::iota(numbers.begin(), numbers.end(), std::size_t(0));
-  builder.add(patch_mesh, 0, numbers);
-  builder.finish();
+  internal::Mesh_builder<ConcurrencyTag, FaceGraph, std::decay_t<decltype(all_maps)>>(mesh,
+                                                                                      all_maps)
+      .add(patch_mesh, {std::move(numbers)});
 }
 
 /*!

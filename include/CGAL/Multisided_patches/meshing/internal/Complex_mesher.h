@@ -11,7 +11,7 @@
 #include <CGAL/Multisided_patches/internal/vector_utils.h>
 #include <CGAL/Multisided_patches/meshing/Mesh_density.h>
 #include <CGAL/Multisided_patches/meshing/Patch_complex.h>
-#include <CGAL/Multisided_patches/meshing/internal/Mesh_builder.h>
+#include <CGAL/Multisided_patches/meshing/internal/Patch_mesh.h>
 #include <CGAL/Multisided_patches/meshing/internal/Surface_mesher.h>
 #include <CGAL/Multisided_patches/meshing/internal/split_chords.h>
 #include <CGAL/Multisided_patches/meshing/mesh_domain.h>
@@ -20,6 +20,7 @@
 
 #include <cstddef>
 #include <exception>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <numeric>
@@ -115,21 +116,26 @@ public:
     return count;
   }
 
-  // Adds all patches to the mesh of a builder.
-  template <typename Builder>
-  void assemble(Builder& builder) const {
-    std::size_t triangles = 0;
-    for (const auto& mesh : domain_meshes_)
-      triangles += mesh.triangles.size();
-    builder.make_room(number_of_vertices(), triangles);
-    std::size_t next = number_of_groups_; // the vertices inside come after the common ones
+  const std::vector<Patch_mesh<Patch>>& meshes() const { return meshes_; }
+
+  // For each patch the numbers of its vertices, of which those that patches have in common are the
+  // same. A patch has numbers of the patches before it or the next ones.
+  std::vector<std::vector<std::size_t>> vertex_numbers() const {
+    constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
+    std::vector<std::size_t> numbers_of_groups(number_of_groups_, none);
+    std::vector<std::vector<std::size_t>> numbers(size());
+    std::size_t next = 0;
     for (std::size_t k = 0; k < size(); ++k) {
-      std::vector<std::size_t> numbers = groups_[k];
-      while (numbers.size() < domain_meshes_[k].points.size())
-        numbers.push_back(next++);
-      builder.add(meshes_[k], k, numbers);
+      for (const std::size_t group : groups_[k]) {
+        std::size_t& number = numbers_of_groups[group];
+        if (number == none)
+          number = next++;
+        numbers[k].push_back(number);
+      }
+      while (numbers[k].size() < domain_meshes_[k].points.size())
+        numbers[k].push_back(next++);
     }
-    builder.finish();
+    return numbers;
   }
 
 private:

@@ -24,20 +24,26 @@ namespace internal {
 class Mesh_region {
 public:
   // Takes the chosen triangles, those with a point in common with one of them, and so on, as many
-  // times as `rings` says.
+  // times as `rings` says. Around each point of the mesh the triangles are neighbours.
+  //
+  // Complexity: linear in the size of the region, but for tables of the size of the mesh, which are
+  // cleared.
   Mesh_region(const std::vector<Linked_triangle>& mesh, std::size_t number_of_points,
               std::vector<char> is_chosen, int rings)
-      : is_inside_(std::move(is_chosen)), local_(number_of_points, none) {
-    for (int ring = 0; ring < rings; ++ring) {
-      std::vector<char> is_marked(number_of_points, false);
-      for (std::size_t t = 0; t < mesh.size(); ++t)
-        if (is_inside_[t])
-          for (const std::size_t v : mesh[t].vertices)
-            is_marked[v] = true;
-      add_triangles_at(is_marked, mesh);
+      : is_inside_(std::move(is_chosen)), is_surrounded_(number_of_points, false),
+        local_(number_of_points, none) {
+    for (std::size_t t = 0; t < mesh.size(); ++t)
+      if (is_inside_[t])
+        numbers_.push_back(t);
+    for (std::size_t first = 0; rings > 0; --rings) {
+      const std::size_t end = numbers_.size();
+      for (; first < end; ++first)
+        for (int i = 0; i < 3; ++i)
+          surround(numbers_[first], i, mesh);
     }
-    while (has_pinches(mesh, number_of_points))
+    while (close_pinches(mesh))
       ;
+    std::sort(numbers_.begin(), numbers_.end());
     number_points(mesh);
     make_triangles(mesh);
   }
@@ -89,37 +95,58 @@ private:
 
   bool is_inside(std::size_t t) const { return t != none && is_inside_[t]; }
 
-  void add_triangles_at(const std::vector<char>& is_marked,
-                        const std::vector<Linked_triangle>& mesh) {
-    for (std::size_t t = 0; t < mesh.size(); ++t)
-      for (const std::size_t v : mesh[t].vertices)
-        if (is_marked[v])
-          is_inside_[t] = true;
+  void add(std::size_t t) {
+    if (is_inside_[t])
+      return;
+    is_inside_[t] = true;
+    numbers_.push_back(t);
+  }
+
+  // Adds all triangles around corner i of triangle t.
+  void surround(std::size_t t, int i, const std::vector<Linked_triangle>& mesh) {
+    const std::size_t v = mesh[t].vertices[i];
+    if (is_surrounded_[v])
+      return;
+    is_surrounded_[v] = true;
+    for (const int turn :
+         {1, 2}) { // over the edge that ends at v, and over that which starts there
+      std::size_t next = t;
+      do {
+        add(next);
+        const auto& vertices = mesh[next].vertices;
+        const auto corner = std::find(vertices.begin(), vertices.end(), v) - vertices.begin();
+        next = mesh[next].neighbors[(static_cast<int>(corner) + turn) % 3];
+      } while (next != none && next != t);
+      if (next == t)
+        return;
+    }
   }
 
   // Calls f(t, i) for the edges on the border.
   template <typename Function>
   void for_each_border_edge(const std::vector<Linked_triangle>& mesh, const Function& f) const {
-    for (std::size_t t = 0; t < mesh.size(); ++t)
-      if (is_inside_[t])
-        for (int i = 0; i < 3; ++i)
-          if (!is_inside(mesh[t].neighbors[i]))
-            f(t, i);
+    for (const std::size_t t : numbers_)
+      for (int i = 0; i < 3; ++i)
+        if (!is_inside(mesh[t].neighbors[i]))
+          f(t, i);
   }
 
-  // Whether the border passed through a point twice; all triangles there have been added then.
-  bool has_pinches(const std::vector<Linked_triangle>& mesh, std::size_t number_of_points) {
-    std::vector<char> is_start(number_of_points, false), is_pinched(number_of_points, false);
-    bool found = false;
+  // Adds all triangles around points through which the border passes twice. Returns whether there
+  // were some.
+  bool close_pinches(const std::vector<Linked_triangle>& mesh) {
+    std::vector<char> is_start(local_.size(), false);
+    std::vector<std::pair<std::size_t, int>> pinches; // triangles and their corners there
     for_each_border_edge(mesh, [&](std::size_t t, int i) {
-      const std::size_t v = start(mesh[t], i);
-      if (is_start[v])
-        is_pinched[v] = found = true;
-      is_start[v] = true;
+      const int corner = (i + 1) % 3;
+      char& is_start_here = is_start[mesh[t].vertices[corner]];
+      if (is_start_here)
+        pinches.emplace_back(t, corner);
+      is_start_here = true;
     });
-    if (found)
-      add_triangles_at(is_pinched, mesh);
-    return found;
+    const std::size_t before = numbers_.size();
+    for (const auto& [t, corner] : pinches)
+      surround(t, corner, mesh);
+    return numbers_.size() > before;
   }
 
   void number_points(const std::vector<Linked_triangle>& mesh) {
@@ -133,19 +160,15 @@ private:
       add(start(mesh[t], i));
       outside_.push_back(mesh[t].neighbors[i]);
     });
-    for (std::size_t t = 0; t < mesh.size(); ++t)
-      if (is_inside_[t])
-        for (const std::size_t v : mesh[t].vertices)
-          add(v);
+    for (const std::size_t t : numbers_)
+      for (const std::size_t v : mesh[t].vertices)
+        add(v);
   }
 
   void make_triangles(const std::vector<Linked_triangle>& mesh) {
     std::vector<std::size_t> local(mesh.size(), none);
-    for (std::size_t t = 0; t < mesh.size(); ++t)
-      if (is_inside_[t]) {
-        local[t] = numbers_.size();
-        numbers_.push_back(t);
-      }
+    for (std::size_t k = 0; k < numbers_.size(); ++k)
+      local[numbers_[k]] = k;
     triangles_.reserve(numbers_.size());
     for (const std::size_t t : numbers_) {
       Linked_triangle triangle;
@@ -159,6 +182,7 @@ private:
   }
 
   std::vector<char> is_inside_;      // by triangle of the mesh
+  std::vector<char> is_surrounded_;  // by point of the mesh: whether all triangles there are inside
   std::vector<std::size_t> local_;   // by point of the mesh: its number in the region
   std::vector<std::size_t> points_;  // by point of the region
   std::vector<std::size_t> outside_; // by point on the border: the triangle behind the edge from it
