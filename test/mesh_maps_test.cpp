@@ -26,6 +26,19 @@ using Stage = MP::Tessellation_stage;
 
 namespace {
 
+// Throws at the tenth vertex.
+struct Throwing_map {
+  using key_type = Vertex;
+  using value_type = Point_2;
+  using reference = Point_2;
+  using category = boost::writable_property_map_tag;
+  friend void put(const Throwing_map& map, key_type, const Point_2&) {
+    if (++*map.calls == 10)
+      throw std::runtime_error("no more");
+  }
+  std::shared_ptr<int> calls = std::make_shared<int>(0);
+};
+
 constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
 // A sphere of radius 75 around the origin, as a graph, with normals that point outwards.
@@ -321,17 +334,6 @@ TEST_CASE("A visitor hears of a complex and can cancel it") {
 }
 
 TEST_CASE("A map that throws leaves a mesh that is whole") {
-  struct Throwing_map {
-    using key_type = Mesh::Vertex_index;
-    using value_type = Point_2;
-    using reference = Point_2;
-    using category = boost::writable_property_map_tag;
-    std::shared_ptr<int> calls = std::make_shared<int>(0);
-    friend void put(const Throwing_map& map, key_type, const Point_2&) {
-      if (++*map.calls == 10)
-        throw std::runtime_error("no more");
-    }
-  };
   const Patch patch(lifted_loop(u_shape(), bowl));
   Mesh mesh, expected;
   CHECK_THROWS_AS(MP::tessellate(patch, mesh, 0.3, MP::Mesh_maps().vertex_uv_map(Throwing_map())),

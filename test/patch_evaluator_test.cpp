@@ -6,6 +6,7 @@
 #include "catch.h"
 #include "control_net_fixtures.h"
 
+#include <CGAL/Multisided_patches/IO/CGB.h>
 #include <CGAL/Multisided_patches/patches/Patch_evaluator.h>
 
 #include <CGAL/Aff_transformation_3.h>
@@ -67,6 +68,22 @@ double distance_to_corner(const Domain& domain, const Point_2& p,
   return nearest;
 }
 
+// At a corner derivatives along the sides are those of the boundary curves.
+template <typename Evaluator, typename Patch>
+void check_tangents(const Evaluator& evaluator, const Patch& patch, std::size_t k, std::size_t i,
+                    double tolerance) {
+  const auto& domain = patch.domain();
+  const auto along = [&](const Kernel::Vector_2& d) {
+    return d.x() * evaluator.derivative(k, 0) + d.y() * evaluator.derivative(k, 1);
+  };
+  const Vector_3 out = patch.loop()[i].boundary_derivative(0),
+                 in = patch.loop()[domain.prev(i)].boundary_derivative(1);
+  CHECK(length(along(domain.vertex(domain.next(i)) - domain.vertex(i)) - out) <
+        100 * tolerance * (1 + length(out)));
+  CHECK(length(along(domain.vertex(i) - domain.vertex(domain.prev(i))) - in) <
+        100 * tolerance * (1 + length(in)));
+}
+
 // Compares all samples with a patch that has the same control points.
 template <typename Evaluator, typename Patch>
 void check_samples(const Evaluator& evaluator, const Patch& patch, const Samples<Kernel>& samples,
@@ -80,6 +97,10 @@ void check_samples(const Evaluator& evaluator, const Patch& patch, const Samples
     CHECK(positions[k] == evaluator.position(k));
     CHECK(normals[k] == evaluator.normal(k));
     CHECK(distance(positions[k], patch.point(uv, location)) < tolerance);
+    if (location.kind == Domain::Location::Kind::vertex) {
+      check_tangents(evaluator, patch, k, location.index, tolerance);
+      continue;
+    }
     const auto jets = patch.template evaluate<1>(uv, location);
     const double r = distance_to_corner(patch.domain(), uv, location);
     for (std::size_t variable = 0; variable < 2; ++variable) {
@@ -231,7 +252,8 @@ TEST_CASE("Samples are moved by an affine map as control points are") {
   CHECK(distance(evaluator.positions(), expected) < 1e-12);
 }
 
-TEST_CASE("Single precision gives six digits of the size of the net, wherever the net is") {
+TEST_CASE(
+    "Single precision gives six digits of the size of the net, however large it is, and where") {
   const unsigned seed = 36;
   CAPTURE(seed);
   Random random(seed);
@@ -243,12 +265,59 @@ TEST_CASE("Single precision gives six digits of the size of the net, wherever th
   CHECK(rough.number_of_bytes() < exact.number_of_bytes());
   CHECK(distance(rough.positions(), exact.positions()) < 1e-6);
   CHECK(distance(rough.positions(), exact.positions()) > 1e-12);
-  Points net = control_points(exact);
-  for (Point_3& p : net)
-    p = p + Vector_3(1e5, -1e5, 1e5);
-  exact.set_control_points(net);
-  rough.set_control_points(net);
+  const Points net = control_points(exact);
+  for (const double scale : {1.0, 1e-60, 1e60, 1e-100, 1e100})
+    for (const double offset : {0.0, 1e5}) {
+      CAPTURE(scale, offset);
+      Points scaled;
+      for (const Point_3& p : net)
+        scaled.push_back(CGAL::ORIGIN + scale * ((p - CGAL::ORIGIN) + offset * Vector_3(1, -1, 1)));
+      exact.set_control_points(scaled);
+      rough.set_control_points(scaled);
+      CHECK(distance(rough.positions(), exact.positions()) < 1e-6 * scale);
+      for (std::size_t k = 0; k < rough.size(); ++k) {
+        const double r =
+            distance_to_corner(patch.domain(), samples.points[k], samples.locations[k]);
+        CHECK(length(rough.derivative(k, 0) - exact.derivative(k, 0)) <
+              1e-6 * scale * (100 + 10 / r));
+      }
+    }
+}
+
+TEST_CASE("Single precision does not lose digits while control points move") {
+  const unsigned seed = 40;
+  CAPTURE(seed);
+  Random random(seed);
+  const Concave_patch patch = concave_patch(random, 6, MP::Central_weight::none);
+  const auto samples = random_samples(patch.domain(), random, 500);
+  MP::Patch_evaluator<Concave_patch> exact(patch, samples.points, samples.locations);
+  MP::Patch_evaluator<Concave_patch, 1, float> rough(patch, samples.points, samples.locations);
+  for (int m = 0; m < 127; ++m) {
+    const std::size_t c = random.integer(0, exact.number_of_control_points() - 1);
+    const Point_3 target = exact.control_point(c) + random_vector(random, 0.1);
+    exact.set_control_point(c, target);
+    rough.set_control_point(c, target);
+  }
   CHECK(distance(rough.positions(), exact.positions()) < 1e-6);
+}
+
+TEST_CASE("At corners, reflex ones too, normals are those of the patch") {
+  for (const char* name : {"u_vent", "plus_hub", "star_knob", "l_bracket", "spiral_volute"}) {
+    CAPTURE(name);
+    const Concave_patch patch(
+        MP::IO::read_CGB<Kernel>(std::string(MODELS_DIR "/") + name + ".cgb"));
+    Samples<Kernel> corners;
+    for (std::size_t i = 0; i < patch.domain().size(); ++i)
+      corners.add(patch.domain(), patch.domain().vertex(i));
+    MP::Patch_evaluator<Concave_patch> evaluator(patch, corners.points, corners.locations);
+    for (std::size_t i = 0; i < evaluator.size(); ++i) {
+      CAPTURE(i);
+      const Vector_3 normal = patch.normal(corners.points[i], corners.locations[i]);
+      CHECK(length(evaluator.normal(i) - normal) < 1e-9);
+      CHECK(distance(evaluator.position(i), patch.point(corners.points[i], corners.locations[i])) <
+            1e-12);
+    }
+  }
 }
 
 TEST_CASE("Samples do not depend on the number of threads") {

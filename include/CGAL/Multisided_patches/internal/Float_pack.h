@@ -9,16 +9,11 @@
 #include <cstddef>
 #include <cstring>
 
-#ifdef __SSE2__
-#include <emmintrin.h>
-#endif
-
 namespace CGAL {
 namespace Multisided_patches {
 namespace internal {
 
-// Four numbers in single precision for which the same sum is computed at once. What they are part
-// of is in `double`.
+// Four numbers in single precision for which the same sum is computed at once.
 class Float_pack {
 public:
   static constexpr std::size_t lanes = 4;
@@ -53,14 +48,10 @@ public:
   }
 
   // Adds the numbers to those at consecutive places in memory.
-  void add_to(double* p) const {
-#ifdef __SSE2__
-    const __m128d low = _mm_cvtps_pd(values_), high = _mm_cvtps_pd(_mm_movehl_ps(values_, values_));
-    _mm_storeu_pd(p, _mm_add_pd(_mm_loadu_pd(p), low));
-    _mm_storeu_pd(p + 2, _mm_add_pd(_mm_loadu_pd(p + 2), high));
-#else
-    for_each_lane([&](std::size_t l) { p[l] += static_cast<double>(values_[l]); });
-#endif
+  void add_to(float* p) const {
+    Float_pack sum = load(p);
+    sum += *this;
+    std::memcpy(p, &sum.values_, sizeof(sum.values_));
   }
 
 private:

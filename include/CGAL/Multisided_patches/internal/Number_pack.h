@@ -9,7 +9,7 @@
 #include <CGAL/Multisided_patches/Jet_2.h>
 #include <CGAL/Multisided_patches/internal/bernstein.h>
 
-#ifdef __SSE2__
+#if defined(__GNUC__) && defined(__SSE2__)
 #include <emmintrin.h>
 #endif
 
@@ -86,6 +86,18 @@ public:
     std::memcpy(r.parts_, p, sizeof(r.parts_));
     return r;
   }
+  static Number_pack load(const float* p) {
+    Number_pack r;
+#if defined(__GNUC__) && defined(__SSE2__)
+    double two_floats;
+    std::memcpy(&two_floats, p, sizeof(two_floats));
+    r.parts_[0] = _mm_cvtps_pd(_mm_castpd_ps(_mm_set_sd(two_floats)));
+#else
+    for (std::size_t l = 0; l < lanes; ++l)
+      r.set(l, static_cast<double>(p[l]));
+#endif
+    return r;
+  }
   void store(double* p) const {
     std::memcpy(p, parts_, sizeof(parts_));
   }
@@ -152,7 +164,7 @@ public:
 
   friend Number_pack sqrt(const Number_pack& a) {
     Number_pack r;
-#ifdef __SSE2__
+#if defined(__GNUC__) && defined(__SSE2__)
     r.parts_[0] = _mm_sqrt_pd(a.parts_[0]);
 #else
     for (std::size_t l = 0; l < lanes; ++l)

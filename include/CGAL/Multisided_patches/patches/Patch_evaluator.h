@@ -36,14 +36,18 @@ namespace Multisided_patches {
  * constructed from the changed net would have the same if it were given `patch.coordinates()`.
  *
  * On the boundary, too, points and normals are those of the weights: the points are those of the
- * boundary curves up to rounding. Close to a corner derivatives lose digits, as the weights of the
- * points that ribbons have there in common have large derivatives of opposite sign: at the distance
- * r the error is about ε / r, where the size of the net and the domain are 1, and ε is the rounding
- * of `Storage`. (The patch itself does better.) Control points that several ribbons have in common,
- * at the corners, are control points of each: they have to move together.
+ * boundary curves up to rounding. At a corner that is not straight the derivatives are those with
+ * which the surface is tangent to both boundary curves: those of the patch, if it has some, which
+ * at reflex corners, or with mean value coordinates, it has not. Close to a corner derivatives lose
+ * digits, as the weights of the points that ribbons have there in common have large derivatives of
+ * opposite sign: at the distance r the error is about ε / r, where the size of the net and the
+ * domain are 1, and ε is the rounding of `Storage`. (The patch itself does better.)
+ *
+ * Control points that several ribbons
+ * have in common, at the corners, are control points of each: they have to move together.
  *
  * Memory: for n control points `sizeof(Storage)` (1 + 2 `Order`) n bytes per sample, less what
- * `number_of_stored_weights()` says is not needed, and 24 (`Order` = 0) or 96 bytes per sample for
+ * `number_of_stored_weights()` says is not needed, and 24 (`Order` = 0) or 72 bytes per sample for
  * results. On the boundary most weights are 0; inside, hardly any.
  *
  * The const members may be called from several threads at once.
@@ -52,7 +56,7 @@ namespace Multisided_patches {
  * `Generalized_bezier_patch_3` or `S_patch_3`, whose number type is `double`
  * \tparam Order 0 for points only, or 1 for first derivatives and normals, too
  * \tparam Storage the number type of the weights: `double`, or `float`, which takes half the
- * memory, for errors of about 1e-7 of the size of the net
+ * memory, for errors of a few 1e-7 of the size of the net in points
  */
 template <typename Patch, int Order = 1, typename Storage = double>
 class Patch_evaluator {
@@ -98,7 +102,7 @@ public:
         blocks_.size(),
         [&](std::size_t b) {
           set_weights(patch, points, locations, b);
-          blocks_[b].compute(net_);
+          blocks_[b].compute(net_, unit());
         },
         1);
   }
@@ -194,7 +198,7 @@ public:
         blocks_.size(),
         [&](std::size_t b) {
           if (is_refreshed(b))
-            blocks_[b].compute(net_);
+            blocks_[b].compute(net_, unit());
           else
             blocks_[b].move(indices, motion_);
         },
@@ -221,28 +225,38 @@ public:
   }
   /*!
    * the unit normal there, on the side from which the boundary runs counterclockwise; zero where
-   * the derivatives span no plane. At vertices it may differ from that of the patch, which is that
-   * of the ribbons, as derivatives do. \pre `k < size()`
+   * the derivatives span no plane. It is computed from these whenever it is asked for.
+   * \pre `k < size()`
    */
   Vector_3 normal(std::size_t k) const {
     static_assert(Order >= 1, "only points are computed");
     CGAL_precondition(k < size_);
-    const internal::Vec3 n = blocks_[k / Block::samples].normal(k % Block::samples);
-    return Vector_3(n[0], n[1], n[2]);
+    const std::size_t sample = k % Block::samples, lane = sample % Block::lanes;
+    return to_vector(blocks_[k / Block::samples].normals(sample - lane)[lane]);
   }
 
   //! all points, by sample
+  template <typename ConcurrencyTag = Parallel_if_available_tag>
   std::vector<Point_3> positions() const {
     std::vector<Point_3> all(size_);
-    for (std::size_t k = 0; k < size_; ++k)
-      all[k] = position(k);
+    internal::for_each_index<ConcurrencyTag>(
+        size_, [&](std::size_t k) { all[k] = position(k); }, 2048);
     return all;
   }
   //! all normals, by sample
+  template <typename ConcurrencyTag = Parallel_if_available_tag>
   std::vector<Vector_3> normals() const {
+    static_assert(Order >= 1, "only points are computed");
     std::vector<Vector_3> all(size_);
-    for (std::size_t k = 0; k < size_; ++k)
-      all[k] = normal(k);
+    internal::for_each_index<ConcurrencyTag>(
+        (size_ + Block::lanes - 1) / Block::lanes,
+        [&](std::size_t pack) {
+          const std::size_t first = pack * Block::lanes;
+          const auto normals = blocks_[first / Block::samples].normals(first % Block::samples);
+          for (std::size_t l = 0; l < Block::lanes && first + l < size_; ++l)
+            all[first + l] = to_vector(normals[l]);
+        },
+        2048);
     return all;
   }
 
@@ -275,6 +289,8 @@ private:
     return {p.x(), p.y(), p.z()};
   }
 
+  static Vector_3 to_vector(const internal::Vec3& v) { return Vector_3(v[0], v[1], v[2]); }
+
   std::array<double, 3> result(std::size_t part, std::size_t k) const {
     CGAL_precondition(k < size_);
     const Block& block = blocks_[k / Block::samples];
@@ -302,14 +318,52 @@ private:
               for (std::size_t k = first; k < last; ++k)
                 dense[c * Block::row + part * Block::samples + k] = weights[c][part][k - first];
         });
+    if constexpr (Order >= 1)
+      for (std::size_t k = begin; k < end; ++k)
+        if (locations[k].kind == Patch::Location::Kind::vertex)
+          set_derivatives_at_vertex(patch.domain(), locations[k].index,
+                                    &dense[Block::samples + k - begin]);
     blocks_[b].set_weights(dense);
+  }
+
+  // Makes the derivatives at a corner that is not straight those with which the surface is tangent
+  // to both boundary curves. `at` is where the first weight has its derivative by u.
+  template <typename Domain>
+  void set_derivatives_at_vertex(const Domain& domain, std::size_t i, double* at) const {
+    using Number = internal::Number_pack;
+    using Jet = Jet_2<Number, Order>;
+    const std::size_t next = domain.next(i), prev = domain.prev(i);
+    const auto a = domain.vertex(next) - domain.vertex(i),
+               b = domain.vertex(prev) - domain.vertex(i);
+    const double determinant = a.x() * b.y() - a.y() * b.x();
+    constexpr double straight = 1e-10; // relative to the lengths
+    if (!(std::abs(determinant) > straight * std::sqrt(a.squared_length() * b.squared_length())))
+      return;
+    // Derivatives along the two sides, each in a lane of its own, so close to the corner that
+    // nothing differs. At the corner itself the other ribbon would have a say.
+    constexpr double s = 1e-20;
+    std::vector<Jet> lambda(domain.size()), weights(basis_.size());
+    for (const std::size_t lane : {0, 1}) {
+      const std::size_t other = lane == 0 ? next : prev;
+      lambda[i][0].set(lane, 1);
+      lambda[i][1].set(lane, -1);
+      lambda[other][0].set(lane, s);
+      lambda[other][1].set(lane, 1);
+    }
+    typename Basis::template Workspace<Jet> workspace;
+    basis_.evaluate(domain, lambda.data(), weights.data(), workspace);
+    for (std::size_t c = 0; c < weights.size(); ++c, at += Block::row) {
+      const double along_a = weights[c][1][0], along_b = weights[c][1][1];
+      at[0] = (along_a * b.y() - along_b * a.y()) / determinant;
+      at[Block::samples] = (along_b * a.x() - along_a * b.x()) / determinant;
+    }
   }
 
   template <typename ConcurrencyTag>
   void compute() {
     set_extent();
     internal::for_each_index<ConcurrencyTag>(
-        blocks_.size(), [&](std::size_t b) { blocks_[b].compute(net_); }, 1);
+        blocks_.size(), [&](std::size_t b) { blocks_[b].compute(net_, unit()); }, 1);
   }
 
   // The size of the net, the largest difference of two coordinates.
@@ -321,6 +375,14 @@ private:
         high[k] = (std::max)(high[k], p[k]);
       }
     extent_ = (std::max)({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
+  }
+
+  // The power of two above the size of the net, in which single precision has room for it; lengths
+  // that vanish or overflow in `double` are not divided.
+  double unit() const {
+    return std::is_same_v<Storage, float> && std::isnormal(extent_)
+               ? std::ldexp(1.0, std::ilogb(extent_))
+               : 1.0;
   }
 
   Basis basis_;

@@ -25,11 +25,11 @@ namespace Multisided_patches {
 namespace internal {
 
 // The weights of control points at a few consecutive samples of a surface, and the products of
-// weights and control points: points, and with order 1 first derivatives and normals. Weights of
-// one control point are next to each other; control points without influence here have none.
+// weights and control points: points, and with order 1 first derivatives. Weights of one control
+// point are next to each other; control points without influence here have none.
 //
-// Storage is the number type of the weights, `double` or `float`. So are products, and sums of a
-// few of them; the sums of these, and all that follows, are in `double`.
+// Storage is the number type of the weights, `double` or `float`. Where all control points are
+// taken together, so are products and their sums; all else is in `double`.
 template <typename Storage, int Order>
 class Weight_block {
 public:
@@ -74,54 +74,68 @@ public:
            points_.capacity() * sizeof(std::uint32_t);
   }
 
-  // Computes everything from the control net.
+  // Computes everything from the control net, whose size is not much larger than `unit`, a power of
+  // two: lengths relative to that are in the range of `Storage`.
   //
   // As the weights sum to 1, any point may be the origin. Near a corner the derivatives of some
   // weights are large, and only their sum is not; so it is the point that has the largest.
-  void compute(const std::vector<std::array<double, 3>>& net) {
+  void compute(const std::vector<std::array<double, 3>>& net, double unit) {
     const std::array<double, 3> o = net[origin_];
-    for (std::size_t part = 0; part < parts; ++part)
-      for (std::size_t c = 0; c < 3; ++c)
-        std::fill_n(result(part, c), samples, part == 0 ? o[c] : 0.0);
+    std::array<Storage, 3 * row> sums; // in units of `unit`
+    sums.fill(0);
     std::array<const Storage*, together> weights;
-    std::array<std::array<double, 3>, together> offsets;
+    std::array<std::array<Pack, 3>, together> offsets;
     for (std::size_t e = 0; e < points_.size(); e += together) {
       for (std::size_t i = 0; i < together; ++i) {
         // Beyond the last point: any weights, times 0.
         const bool exists = e + i < points_.size();
         weights[i] = &weights_[(exists ? e + i : e) * row];
         const std::array<double, 3>& p = exists ? net[points_[e + i]] : o;
-        offsets[i] = {p[0] - o[0], p[1] - o[1], p[2] - o[2]};
+        for (std::size_t c = 0; c < 3; ++c)
+          offsets[i][c] = Pack(static_cast<Storage>((p[c] - o[c]) / unit));
       }
-      add(weights, offsets, std::make_index_sequence<together>());
+      add(weights, offsets, sums.data(), std::make_index_sequence<together>());
     }
-    set_normals();
+    for (std::size_t part = 0; part < parts; ++part)
+      for (std::size_t c = 0; c < 3; ++c)
+        set_result(part, c, &sums[(part * 3 + c) * samples], unit, part == 0 ? o[c] : 0);
   }
 
   // Adds what changes if control points move: those with the given indices, in ascending order, by
   // `motion[index]`.
   void move(const std::vector<std::size_t>& indices,
             const std::vector<std::array<double, 3>>& motion) {
-    bool changed = false;
     for (const std::size_t c : indices) {
       const auto found = std::lower_bound(points_.begin(), points_.end(), c);
-      if (found == points_.end() || *found != c)
-        continue;
-      changed = true;
-      const auto e = static_cast<std::size_t>(found - points_.begin());
-      add({&weights_[e * row]}, {motion[c]}, std::index_sequence<0>());
+      if (found != points_.end() && *found == c)
+        add(&weights_[static_cast<std::size_t>(found - points_.begin()) * row], motion[c]);
     }
-    if (changed)
-      set_normals();
   }
 
   // coordinate `c` of a point, part 0, or a derivative, parts 1 and 2
   double value(std::size_t part, std::size_t c, std::size_t sample) const {
     return results_[(part * 3 + c) * samples + sample];
   }
-  // pre: order 1
-  Vec3 normal(std::size_t sample) const {
-    return {value(parts, 0, sample), value(parts, 1, sample), value(parts, 2, sample)};
+
+  // Numbers that are worked on at once in `double`, and the normals at the samples from `k` on, as
+  // many, which is a multiple of that. pre: order 1
+  static constexpr std::size_t lanes = Number_pack::lanes;
+  std::array<Vec3, lanes> normals(std::size_t k) const {
+    const auto u = pack(1, k), v = pack(2, k);
+    const std::array<Number_pack, 3> n{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+                                       u[0] * v[1] - u[1] * v[0]};
+    const Number_pack nn = square(n), uu = square(u), vv = square(v);
+    const Number_pack inverse = Number_pack(1) / sqrt(nn);
+    // Far from where derivatives are too large, too small or too parallel.
+    const Number_pack least = select(uu < vv, uu, vv), most = select(uu < vv, vv, uu);
+    const bool needs_care = any(nn < uu * vv * 1e-12) || any(least <= most * 1e-20) ||
+                            any(nn <= 1e-200) || any(1e200 <= most * most) || any_is_undefined(nn);
+    const std::array<Number_pack, 3> unit_normal{n[0] * inverse, n[1] * inverse, n[2] * inverse};
+    std::array<Vec3, lanes> result;
+    for (std::size_t l = 0; l < lanes; ++l)
+      result[l] = needs_care ? tangent_plane_normal(derivative(1, k + l), derivative(2, k + l))
+                             : Vec3{unit_normal[0][l], unit_normal[1][l], unit_normal[2][l]};
+    return result;
   }
 
 private:
@@ -129,20 +143,17 @@ private:
 
   // Numbers that are worked on at once.
   using Pack = std::conditional_t<std::is_same_v<Storage, float>, Float_pack, Number_pack>;
-  // How many rows are read side by side. Their sums in single precision have to be converted.
+  // How many rows are read side by side.
   static constexpr std::size_t together = std::is_same_v<Storage, float> ? 8 : 4;
 
   // Adds the products of a few control points with their weights.
   template <std::size_t... I>
-  void add(const std::array<const Storage*, sizeof...(I)>& weights,
-           const std::array<std::array<double, 3>, sizeof...(I)>& points,
-           std::index_sequence<I...>) {
-    const auto pack = [&](std::size_t i, std::size_t c) {
-      return Pack(static_cast<Storage>(points[i][c]));
-    };
-    const Pack px[] = {pack(I, 0)...}, py[] = {pack(I, 1)...}, pz[] = {pack(I, 2)...};
+  void add(const std::array<const Storage*, together>& weights,
+           const std::array<std::array<Pack, 3>, together>& points, Storage* sums,
+           std::index_sequence<I...>) const {
+    const Pack px[] = {points[I][0]...}, py[] = {points[I][1]...}, pz[] = {points[I][2]...};
     for (std::size_t part = 0; part < parts; ++part) {
-      double *const x = result(part, 0), *const y = result(part, 1), *const z = result(part, 2);
+      Storage *const x = sums + part * 3 * samples, *const y = x + samples, *const z = y + samples;
       for (std::size_t k = 0; k < samples; k += Pack::lanes) {
         Pack sx(Storage(0)), sy(Storage(0)), sz(Storage(0));
         const auto add_one = [&](std::size_t i) {
@@ -151,13 +162,35 @@ private:
           sy += w * py[i];
           sz += w * pz[i];
         };
-        if constexpr (sizeof...(I) > 1)
-          for (std::size_t j = k; j < k + Pack::lanes; j += per_line)
-            prefetch(weights[0], (part * samples + j) * sizeof...(I));
+        for (std::size_t j = k; j < k + Pack::lanes; j += per_line)
+          prefetch(weights[0], (part * samples + j) * together);
         (add_one(I), ...); // a loop would not be unrolled at all levels of optimization
         sx.add_to(x + k);
         sy.add_to(y + k);
         sz.add_to(z + k);
+      }
+    }
+  }
+
+  void set_result(std::size_t part, std::size_t c, const Storage* sums, double unit,
+                  double origin) {
+    const Number_pack factor(unit), offset(origin);
+    double* const values = result(part, c);
+    for (std::size_t k = 0; k < samples; k += lanes)
+      (offset + factor * Number_pack::load(sums + k)).store(values + k);
+  }
+
+  // Adds the products of the motion of one control point with its weights.
+  void add(const Storage* weights, const std::array<double, 3>& motion) {
+    const Number_pack mx(motion[0]), my(motion[1]), mz(motion[2]);
+    for (std::size_t part = 0; part < parts; ++part) {
+      double *const x = result(part, 0), *const y = result(part, 1), *const z = result(part, 2);
+      for (std::size_t k = 0; k < samples; k += Number_pack::lanes) {
+        prefetch_next_results(part * samples + k);
+        const Number_pack w = Number_pack::load(weights + part * samples + k);
+        (w * mx).add_to(x + k);
+        (w * my).add_to(y + k);
+        (w * mz).add_to(z + k);
       }
     }
   }
@@ -170,11 +203,12 @@ private:
     constexpr std::size_t distance = 8192; // bytes; what memory delivers while rows are used
     prefetch_byte(rows, offset * sizeof(Storage) + distance);
   }
-  // The results of the next block, if blocks are elements of an array.
-  void prefetch_next_results(std::size_t sample) const {
-    constexpr std::size_t share = sizeof(results_) / samples * Number_pack::lanes;
-    for (std::size_t byte = 0; byte < share; byte += 64)
-      prefetch_byte(&results_, sizeof(*this) + sample / Number_pack::lanes * share + byte);
+  // The results of the next block, if blocks are elements of an array: those at the same places as
+  // three packs here.
+  void prefetch_next_results(std::size_t number) const {
+    constexpr std::size_t share = 3 * sizeof(double);
+    if (number * share % 64 < Number_pack::lanes * share)
+      prefetch_byte(&results_, sizeof(*this) + number * share);
   }
   static void prefetch_byte([[maybe_unused]] const void* start,
                             [[maybe_unused]] std::size_t offset) {
@@ -185,45 +219,19 @@ private:
 #endif
   }
 
-  void set_normals() {
-    if constexpr (Order >= 1)
-      for (std::size_t k = 0; k < samples; k += Number_pack::lanes) {
-        prefetch_next_results(k);
-        const auto u = pack(1, k), v = pack(2, k);
-        const std::array<Number_pack, 3> n{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
-                                           u[0] * v[1] - u[1] * v[0]};
-        const Number_pack nn = square(n), uu = square(u), vv = square(v);
-        const Number_pack inverse = Number_pack(1) / sqrt(nn);
-        for (std::size_t c = 0; c < 3; ++c)
-          (n[c] * inverse).store(result(parts, c) + k);
-        // Far from where derivatives are too large, too small or too parallel.
-        const Number_pack least = select(uu < vv, uu, vv), most = select(uu < vv, vv, uu);
-        if (any(nn < uu * vv * 1e-12) || any(least <= most * 1e-20) || any(nn <= 1e-200) ||
-            any(1e200 <= most * most) || any_is_undefined(nn))
-          set_normals_with_care(k);
-      }
-  }
-
   static bool any_is_undefined(const Number_pack& x) {
     return !(x[0] == x[0] && x[1] == x[1]);
   }
 
-  std::array<Number_pack, 3> pack(std::size_t part, std::size_t k) {
-    return {Number_pack::load(result(part, 0) + k), Number_pack::load(result(part, 1) + k),
-            Number_pack::load(result(part, 2) + k)};
+  std::array<Number_pack, 3> pack(std::size_t part, std::size_t k) const {
+    return {load(part, 0, k), load(part, 1, k), load(part, 2, k)};
+  }
+  Number_pack load(std::size_t part, std::size_t c, std::size_t k) const {
+    return Number_pack::load(&results_[(part * 3 + c) * samples + k]);
   }
 
   static Number_pack square(const std::array<Number_pack, 3>& v) {
     return v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
-  }
-
-  // of the samples of a pack
-  void set_normals_with_care(std::size_t first) {
-    for (std::size_t k = first; k < first + Number_pack::lanes; ++k) {
-      const Vec3 n = tangent_plane_normal(derivative(1, k), derivative(2, k));
-      for (std::size_t c = 0; c < 3; ++c)
-        result(parts, c)[k] = n[c];
-    }
   }
 
   Vec3 derivative(std::size_t part, std::size_t k) const {
@@ -233,8 +241,8 @@ private:
   std::vector<std::uint32_t> points_; // the indices of those with influence, ascending
   std::vector<Storage> weights_;      // `row` for each of them
   std::size_t origin_ = 0;
-  // x, y and z for all samples of points, derivatives and normals
-  alignas(16) std::array<double, (parts + (Order >= 1 ? 1 : 0)) * 3 * samples> results_;
+  // x, y and z for all samples of points and derivatives
+  alignas(16) std::array<double, parts * 3 * samples> results_;
 };
 
 } // namespace internal
