@@ -5,11 +5,10 @@
 
 #include "any_model.h"
 
+#include <CGAL/Multisided_patches/IO/visit_patch.h>
 #include <CGAL/Multisided_patches/bases/contact_order.h>
-#include <CGAL/Multisided_patches/domains/make_regular_domain.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <utility>
 #include <variant>
 
@@ -18,14 +17,6 @@ namespace multipatch {
 namespace MP = CGAL::Multisided_patches;
 
 namespace {
-
-using Generated = MP::Generated_domain<Kernel>;
-
-Generated as_it_is(Domain domain) {
-  MP::Domain_report report;
-  report.clearance = domain.clearance();
-  return {std::move(domain), std::move(report)};
-}
 
 // How each type of patch answers.
 struct Number_of_sides {
@@ -59,27 +50,6 @@ struct Type_name {
   std::string operator()(const Triangle& patch) const {
     return "Bezier triangle of degree " + std::to_string(patch.degree());
   }
-};
-
-struct Make_domain {
-  Generated operator()(const Concave_model& m) const {
-    return m.domain_vertices.empty() ? MP::make_domain(m.loop, m.domain)
-                                     : as_it_is(Domain(m.domain_vertices));
-  }
-  template <typename Net>
-  Generated operator()(const MP::IO::Net_description_3<Kernel, Net>& m) const {
-    if (!m.domain_vertices.empty())
-      return as_it_is(Domain(m.domain_vertices));
-    if (m.domain.generator != MP::Domain_generator::regular)
-      return MP::make_domain(m.net.loop(), m.domain);
-    // Whatever the corners of the net are: the patch is made for convex domains.
-    Generated generated = as_it_is(MP::make_regular_domain<Kernel>(m.net.size()));
-    generated.report.requested = generated.report.used = MP::Domain_generator::regular;
-    generated.report.wanted_clearance = m.domain.clearance;
-    return generated;
-  }
-  Generated operator()(const Tensor_product& patch) const { return as_it_is(patch.domain()); }
-  Generated operator()(const Triangle& patch) const { return as_it_is(patch.domain()); }
 };
 
 struct Coordinates_of {
@@ -117,8 +87,8 @@ Loop loop(const Any_model& model) {
   return std::visit(Ribbons(), model);
 }
 
-Generated make_domain(const Any_model& model) {
-  return std::visit(Make_domain(), model);
+MP::Generated_domain<Kernel> make_domain(const Any_model& model) {
+  return MP::IO::make_domain(model);
 }
 
 std::optional<Coordinates_choice> coordinates(const Any_model& model) {
@@ -138,13 +108,20 @@ std::vector<std::string> contact_shortfalls(const Any_model& model) {
   return texts;
 }
 
-void print_contact_shortfalls(const std::vector<Any_model>& models,
-                              const std::vector<std::string>& prefixes) {
+std::string contact_advice(const std::vector<Any_model>& models) {
+  return std::any_of(models.begin(), models.end(), elevation_helps)
+             ? "the option --elevate of the command mesh raises degrees where that helps"
+             : "";
+}
+
+void warn_of_contact_shortfalls(const std::vector<Any_model>& models,
+                                const std::vector<std::string>& prefixes) {
   for (std::size_t k = 0; k < models.size(); ++k)
     for (const std::string& text : contact_shortfalls(models[k]))
-      std::printf("%s%s\n", prefixes[k].c_str(), text.c_str());
-  if (std::any_of(models.begin(), models.end(), elevation_helps))
-    std::printf("  multipatch mesh --elevate raises degrees where that helps\n");
+      warn(prefixes[k] + text);
+  const std::string advice = contact_advice(models);
+  if (!advice.empty())
+    warn(advice);
 }
 
 } // namespace multipatch

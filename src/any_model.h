@@ -60,9 +60,12 @@ std::optional<Coordinates_choice> coordinates(const Any_model& model);
 // Sentences on where the patch does not have the derivatives that the layers of a ribbon promise.
 std::vector<std::string> contact_shortfalls(const Any_model& model);
 
-// Prints them, a line each that starts with the prefix, and what would help.
-void print_contact_shortfalls(const std::vector<Any_model>& models,
-                              const std::vector<std::string>& prefixes);
+// What would help against some of them, a sentence, or nothing.
+std::string contact_advice(const std::vector<Any_model>& models);
+
+// Warns of them; the prefix of each model begins those on it.
+void warn_of_contact_shortfalls(const std::vector<Any_model>& models,
+                                const std::vector<std::string>& prefixes);
 
 } // namespace multipatch
 

@@ -5,6 +5,8 @@
 
 #include "batch_arguments.h"
 
+#include "option_checks.h"
+
 #include <cstddef>
 
 namespace multipatch {
@@ -32,7 +34,7 @@ void add_batch_options(CLI::App& command, Batch_options& options, CLI::Option& o
       add(command.add_option("--threads", options.threads,
                              "how many files are meshed at a time (default: one on each\n"
                              "processor)"))
-          ->check(CLI::Range(std::size_t{1}, max_threads).description(""))
+          ->check(whole_number(1, max_threads))
           ->type_name("N");
   add(command.add_flag("--keep-going", options.keep_going,
                        "after a file that fails, go on with the others"));
@@ -46,7 +48,7 @@ void add_batch_options(CLI::App& command, Batch_options& options, CLI::Option& o
       .add_option("--rank-timeout", options.rank_timeout,
                   "seconds without a sign of life until such a process counts as lost\n"
                   "(default: 60)")
-      ->check(CLI::Range(min_timeout, max_timeout).description(""))
+      ->check(number_between(min_timeout, max_timeout))
       ->type_name("X")
       ->needs(mpi);
 }
@@ -56,6 +58,13 @@ void require_mesh_arguments(const Mesh_options& options) {
     throw CLI::RequiredError("INPUT");
   if (options.output.empty() && options.batch.directory.empty())
     throw CLI::RequiredError("--output or --output-directory");
+  // One whose name is wrong is, in a directory, a file that fails like others.
+  if (options.batch.directory.empty())
+    for (std::string input : options.inputs) {
+      const std::string wrong = patch_name()(input);
+      if (!wrong.empty())
+        throw CLI::ValidationError("INPUT", wrong);
+    }
 }
 
 } // namespace multipatch

@@ -101,8 +101,7 @@ void Batch_run::give_up(std::exception_ptr error) {
 
 void Batch_run::warn(const std::string& text) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  clear_line();
-  std::fprintf(stderr, "multipatch: warning: %s\n", text.c_str());
+  multipatch::warn(text);
 }
 
 void Batch_run::conclude() {
@@ -133,12 +132,20 @@ void Batch_run::end() const {
   if (failures_ > 0 && !settings_.options.batch.keep_going)
     for (std::size_t k = 0; k < files_.size(); ++k)
       if (records_[k].status == Batch_status::failed)
-        throw MP::Error(message(k));
+        throw MP::Error(message(k) + what_is_left());
   if (!settings_.options.quiet)
     print_summary();
   if (failures_ > 0)
     throw MP::Error(std::to_string(failures_) + " of " + std::to_string(files_.size()) +
                     " files failed");
+}
+
+// After the first file that has failed.
+std::string Batch_run::what_is_left() const {
+  const std::size_t left = files_.size() - done_;
+  return left == 0 ? ""
+                   : "; not done: " + std::to_string(left) + " of " +
+                         std::to_string(files_.size()) + " files, with which --keep-going goes on";
 }
 
 bool Batch_run::is_over() const {

@@ -57,6 +57,7 @@ private:
   void clear_line() const;
   std::size_t count(Batch_status status) const;
   std::string message(std::size_t k) const;
+  std::string what_is_left() const;
   void remove_leftovers() const;
   void end() const;
   std::string try_to_write_report() const;

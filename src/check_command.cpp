@@ -10,7 +10,6 @@
 
 #include <CGAL/Multisided_patches/analysis/continuity_report.h>
 #include <CGAL/Multisided_patches/analysis/fairness_report.h>
-#include <CGAL/Multisided_patches/internal/to_text.h>
 #include <CGAL/Multisided_patches/meshing/is_valid_domain_mesh.h>
 #include <CGAL/Multisided_patches/meshing/mesh_domain.h>
 #include <CGAL/Multisided_patches/meshing/tessellate_complex.h>
@@ -56,6 +55,18 @@ bool are_alike(const Side_outline& a, const Side_outline& b) {
   return same || reversed;
 }
 
+// Whether a remark says why sides with the same curve are not joined.
+bool is_remarked(const Side_outline& a, const Side_outline& b, const Check_options& options,
+                 const Check_report& report) {
+  const auto name = [&](const Side_outline& side) {
+    return options.inputs[side.patch] + " side " + std::to_string(side.side);
+  };
+  const std::string start = name(a) + " and " + name(b) + " have the same curve";
+  return std::any_of(
+      report.sides.remarks.begin(), report.sides.remarks.end(),
+      [&](const std::string& remark) { return remark.compare(0, start.size(), start) == 0; });
+}
+
 void check_patches(const std::vector<Any_patch>& patches, const Check_options& options,
                    Check_report& report) {
   for (std::size_t k = 0; k < patches.size(); ++k) {
@@ -75,6 +86,7 @@ void check_seams(const std::vector<Any_patch>& patches, const std::vector<Side_o
       const Any_patch &first = patches[x.patch], &second = patches[y.patch];
       report.seams.push_back(
           {x.patch, y.patch, (std::max)(first.loop().diagonal(), second.loop().diagonal()), joined,
+           !joined && !is_remarked(x, y, options, report),
            MP::continuity_report(first, x.side, second, y.side, options.samples)});
     }
 }
@@ -93,7 +105,7 @@ void check_mesh(const MP::Patch_complex<Any_patch>& complex, const Check_options
   MP::tessellate(complex, mesh, MP::Mesh_density::triangles(triangles));
   report.mesh.statistics = measure(mesh);
   report.mesh.self_intersections = self_intersections(mesh);
-  report.mesh.is_as_joined = is_as_joined(report.mesh.statistics, report.sides);
+  report.is_as_joined = is_as_joined(report.mesh.statistics, report.sides);
 }
 
 void check_domains(const std::vector<Any_patch>& patches, const Check_options& options,
@@ -122,12 +134,6 @@ void run(const Check_options& options, const std::vector<Any_model>& models, Sta
   });
 }
 
-void check_tolerance(double tolerance, const char* option) {
-  if (!(tolerance >= 0))
-    throw MP::Input_error(std::string(option) + " must be at least 0, not " +
-                          MP::internal::to_short_text(tolerance));
-}
-
 std::vector<Any_model> read_models(const Check_options& options, Check_report& report) {
   const std::vector<Any_model> models = read_models(options.patch, options.inputs, options.quiet);
   for (std::size_t k = 0; k < models.size(); ++k)
@@ -135,20 +141,10 @@ std::vector<Any_model> read_models(const Check_options& options, Check_report& r
   return models;
 }
 
-std::string joined(const std::vector<std::string>& phrases) {
-  std::string text;
-  for (const std::string& phrase : phrases)
-    text += (text.empty() ? "" : "; ") + phrase;
-  return text;
-}
-
 } // namespace
 
 void check_command(const Check_options& options) {
   // What cannot succeed fails before the work, not after it.
-  check_tolerance(options.position_tolerance, "--position-tolerance");
-  check_tolerance(options.plane_tolerance, "--plane-tolerance");
-  check_tolerance(options.curvature_tolerance, "--curvature-tolerance");
   const Report_output output(options.json, options.quiet, options.inputs);
   Check_report report;
   {
@@ -160,7 +156,7 @@ void check_command(const Check_options& options) {
   output.write([&] { return check_json(options, report); }, [&] { print_table(options, report); });
   const std::vector<std::string> wrong = failures(options, report);
   if (!wrong.empty())
-    throw MP::Error(joined(wrong));
+    throw MP::Error(in_one_line(wrong));
 }
 
 } // namespace multipatch

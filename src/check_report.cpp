@@ -7,6 +7,7 @@
 
 #include "report_json.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <optional>
 
@@ -49,13 +50,13 @@ void print_row(const Check_options& options, const MP::Continuity& continuity, d
     std::printf("%s%s", separator, name.c_str());
     separator = ", ";
   }
-  std::printf("\n");
 }
 
-void print_header(const char* first) {
-  std::printf("%-4s  %-27s  %-27s  %s\n", "", "position (model units)", "tangent plane (degrees)",
-              "curvature (relative)");
-  std::printf("%-4s", first);
+// A table whose first column has a width.
+void print_header(const char* first, int width) {
+  std::printf("%-*s  %-27s  %-27s  %s\n", width, "", "position (model units)",
+              "tangent plane (degrees)", "curvature (relative)");
+  std::printf("%-*s", width, first);
   for (int k = 0; k < 3; ++k)
     std::printf("  %8s %8s %9s", "max", "mean", "at s");
   std::printf("\n");
@@ -64,10 +65,11 @@ void print_header(const char* first) {
 void print_patch(const Check_options& options, const Checked_patch& patch) {
   std::printf("%s: %zu sides, diagonal %g\n", patch.input.c_str(), patch.continuity.sides.size(),
               patch.diagonal);
-  print_header("side");
+  print_header("side", 4);
   for (const MP::Side_continuity& side : patch.continuity.sides) {
     std::printf("%4zu", side.side);
     print_row(options, side, patch.diagonal);
+    std::printf("\n");
   }
   for (const std::string& shortfall : patch.shortfalls)
     std::printf("  %s\n", shortfall.c_str());
@@ -78,34 +80,30 @@ void print_patch(const Check_options& options, const Checked_patch& patch) {
               patch.fairness.sharpest_point.y());
 }
 
-void print_seam(const Check_options& options, const Check_report& report, std::size_t k) {
-  const Checked_seam& seam = report.seams[k];
-  std::printf("%s side %zu and %s side %zu:\n", report.patches[seam.patch_a].input.c_str(),
-              seam.continuity.side_a, report.patches[seam.patch_b].input.c_str(),
-              seam.continuity.side_b);
-  print_header("");
-  std::printf("%4s", "");
-  print_row(options, seam.continuity, seam.diagonal);
-  if (!seam.is_joined)
-    std::printf("  The curves are not the same: a mesh has a gap here.\n");
+std::string seam_name(const Check_report& report, const Checked_seam& seam) {
+  return report.patches[seam.patch_a].input + " side " + std::to_string(seam.continuity.side_a) +
+         " and " + report.patches[seam.patch_b].input + " side " +
+         std::to_string(seam.continuity.side_b);
 }
 
-// "1 hole", "2 holes"
-std::string counted(std::size_t count, const std::string& noun) {
-  return std::to_string(count) + ' ' + noun + (count == 1 ? "" : "s");
+void print_seams(const Check_options& options, const Check_report& report) {
+  if (report.seams.empty())
+    return;
+  const char* title = "common sides";
+  std::size_t width = std::string(title).size();
+  for (const Checked_seam& seam : report.seams)
+    width = (std::max)(width, seam_name(report, seam).size());
+  print_header(title, static_cast<int>(width));
+  for (const Checked_seam& seam : report.seams) {
+    std::printf("%-*s", static_cast<int>(width), seam_name(report, seam).c_str());
+    print_row(options, seam.continuity, seam.diagonal);
+    std::printf("%s\n", seam.has_gap ? "  not the same curve: a mesh has a gap here" : "");
+  }
 }
 
 std::vector<std::string> mesh_failures(const Check_report& report) {
-  const Checked_mesh& mesh = report.mesh;
-  std::vector<std::string> texts;
-  const auto add = [&](std::size_t count, const char* what) {
-    if (count > 0)
-      texts.push_back("the mesh has " + counted(count, what));
-  };
-  add(mesh.self_intersections, "self-intersection");
-  add(mesh.statistics.degenerate_triangles, "degenerate triangle");
-  add(mesh.statistics.folded_edges, "folded edge");
-  if (!mesh.is_as_joined)
+  std::vector<std::string> texts = defects(report.mesh);
+  if (!report.is_as_joined)
     texts.emplace_back("the mesh came out torn; this is a defect of the program, please report it");
   for (const Checked_patch& patch : report.patches)
     if (!patch.domain_mesh_defect.empty())
@@ -115,14 +113,7 @@ std::vector<std::string> mesh_failures(const Check_report& report) {
 }
 
 void print_mesh(const Check_report& report) {
-  const Mesh_statistics& mesh = report.mesh.statistics;
-  std::printf("Mesh: %s, %s; angles %.3g to %.4g degrees, edges %.3g to %.3g; %s, %s, %s\n",
-              counted(mesh.triangles, "triangle").c_str(),
-              mesh.is_closed() ? "closed" : counted(mesh.boundary_loops, "boundary loop").c_str(),
-              mesh.smallest_angle, mesh.largest_angle, mesh.shortest_edge, mesh.longest_edge,
-              counted(report.mesh.self_intersections, "self-intersection").c_str(),
-              counted(mesh.degenerate_triangles, "degenerate triangle").c_str(),
-              counted(mesh.folded_edges, "folded edge").c_str());
+  std::printf("Mesh: %s\n", description(report.mesh).c_str());
   for (const std::string& text : mesh_failures(report))
     std::printf("  %s\n", text.c_str());
 }
@@ -182,10 +173,9 @@ Json seam_json(const Check_options& options, const Check_report& report, const C
   return json;
 }
 
-Json mesh_json(const Checked_mesh& mesh) {
-  Json json = statistics_json(mesh.statistics);
-  json["self_intersections"] = mesh.self_intersections;
-  json["is_as_joined"] = mesh.is_as_joined;
+Json mesh_json(const Check_report& report) {
+  Json json = checked_mesh_json(report.mesh);
+  json["is_as_joined"] = report.is_as_joined;
   return json;
 }
 
@@ -220,8 +210,7 @@ std::vector<std::string> failures(const Check_options& options, const Check_repo
 void print_table(const Check_options& options, const Check_report& report) {
   for (const Checked_patch& patch : report.patches)
     print_patch(options, patch);
-  for (std::size_t k = 0; k < report.seams.size(); ++k)
-    print_seam(options, report, k);
+  print_seams(options, report);
   print_sides(report);
   print_mesh(report);
   std::printf("Tolerances: position %g of the diagonal, tangent plane %g degrees, curvature %g\n",
@@ -248,7 +237,7 @@ std::string check_json(const Check_options& options, const Check_report& report)
                   {"shared_sides", seams},
                   {"free_sides", free_sides_json(report.sides, inputs)},
                   {"remarks", report.sides.remarks},
-                  {"mesh", mesh_json(report.mesh)}};
+                  {"mesh", mesh_json(report)}};
   return to_text(json);
 }
 

@@ -33,22 +33,17 @@ struct Checked_patch {
 struct Checked_seam {
   std::size_t patch_a, patch_b; // indices
   double diagonal;              // the larger one
-  bool is_joined;               // whether the curves are the same
+  bool is_joined;               // whether they are one in the mesh
+  bool has_gap;                 // whether they are not as the curves are not the same
   CGAL::Multisided_patches::Seam_continuity continuity;
-};
-
-// The mesh of all patches.
-struct Checked_mesh {
-  Mesh_statistics statistics;
-  std::size_t self_intersections = 0;
-  bool is_as_joined = false;
 };
 
 struct Check_report {
   std::vector<Checked_patch> patches;
   std::vector<Checked_seam> seams;
   Joined_sides sides;
-  Checked_mesh mesh;
+  Checked_mesh mesh; // of all patches
+  bool is_as_joined = false;
 };
 
 // The number of sides and seams that exceed a tolerance, and of all of them.

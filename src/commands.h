@@ -9,6 +9,7 @@
 #include <CGAL/Multisided_patches/IO/Coordinates_choice.h>
 #include <CGAL/Multisided_patches/bases/Central_weight.h>
 #include <CGAL/Multisided_patches/domains/make_domain.h>
+#include <CGAL/Multisided_patches/errors.h>
 #include <CGAL/Multisided_patches/meshing/Domain_mesh_2.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -81,8 +82,8 @@ struct Coordinates_options {
 };
 
 struct Check_options {
-  Patch_options patch; // without its input
-  std::vector<std::string> inputs;
+  Patch_options patch;             // without its input
+  std::vector<std::string> inputs; // patches, or meshes
   std::size_t samples = 32;
   double position_tolerance = 1e-6; // relative to the diagonal of the bounding box
   double plane_tolerance = 1e-3;    // degrees
@@ -116,10 +117,22 @@ struct Merge_options {
   bool quiet = false;
 };
 
+// Thrown if the command line alone is wrong, whatever the files contain.
+class Usage_error : public CGAL::Multisided_patches::Input_error {
+public:
+  using Input_error::Input_error;
+};
+
 // Thrown after a signal has ended the work in good order.
 struct Interrupted {
   int signal;
 };
+
+// Says on standard error what is worth knowing, although the command goes on.
+void warn(const std::string& text);
+
+// Throws Usage_error if a file would overwrite one of the others.
+void check_different(const std::string& output, const std::vector<std::string>& others);
 
 double degrees(double radians);
 
@@ -133,11 +146,15 @@ const char* domain_name(const CGAL::Multisided_patches::Domain_report& report);
 // limit.
 std::string clearance_text(const CGAL::Multisided_patches::Domain_report& report);
 
-// Prints the remarks of a report, a line each that starts with the prefix.
-void print_remarks(const CGAL::Multisided_patches::Domain_report& report,
-                   const std::string& prefix = "  ");
+// The remarks of a report, a sentence each.
+std::vector<std::string> remarks(const CGAL::Multisided_patches::Domain_report& report);
 
-// The commands. They throw CGAL::Multisided_patches::Error on bad input.
+// Warns of them; the prefix begins each.
+void warn_of_remarks(const CGAL::Multisided_patches::Domain_report& report,
+                     const std::string& prefix = "");
+
+// The commands. They throw CGAL::Multisided_patches::Error on bad input, and Usage_error if it is
+// the command line.
 void mesh_command(const Mesh_options& options);
 // The command mesh with a directory to write to. Throws an error, too, if a file failed, and
 // Interrupted if a signal has come.
@@ -147,6 +164,8 @@ void domain_command(const Domain_picture_options& options);
 void coordinates_command(const Coordinates_options& options);
 // Throws an error, too, if a tolerance is exceeded or a mesh has defects.
 void check_command(const Check_options& options);
+// The same for files of meshes, each on its own; there are no tolerances.
+void check_meshes_command(const Check_options& options);
 void exact_command(const Exact_options& options);
 // Nothing is written if they fail.
 void convert_command(const Convert_options& options);

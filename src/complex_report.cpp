@@ -34,13 +34,13 @@ void print_report(const Mesh_job& job, const Complex_report& report) {
               report.sides.free.size(), report.mesh.triangles, report.mesh.vertices,
               report.mesh.is_closed() ? "closed" : "not closed", job.clock.total_seconds());
   for (const std::string& remark : report.sides.remarks)
-    std::printf("  %s\n", remark.c_str());
+    warn(remark);
   std::vector<std::string> prefixes;
   for (std::size_t k = 0; k < job.models.size(); ++k) {
-    prefixes.push_back("  " + job.options.inputs[k] + ": ");
-    print_remarks(report.patches[k].origin().domain, prefixes[k]);
+    prefixes.push_back(job.options.inputs[k] + ": ");
+    warn_of_remarks(report.patches[k].origin().domain, prefixes[k]);
   }
-  print_contact_shortfalls(job.models, prefixes);
+  warn_of_contact_shortfalls(job.models, prefixes);
 }
 
 void write_report(const Mesh_job& job, const Complex_report& report) {

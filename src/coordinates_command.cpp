@@ -12,7 +12,6 @@
 #include "stage_clock.h"
 
 #include <CGAL/Multisided_patches/IO/internal/file_access.h>
-#include <CGAL/Multisided_patches/internal/to_text.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -29,36 +28,33 @@ namespace {
 enum class Format { picture, table };
 
 Format output_format(const std::string& output) {
-  const std::string extension = MP::internal::file_extension(output);
-  if (extension == ".svg")
-    return Format::picture;
-  if (extension == ".csv")
-    return Format::table;
-  throw MP::Input_error(output + ": expected a name that ends in .svg or .csv");
+  const bool is_picture = MP::internal::file_extension(output) == ".svg";
+  return is_picture ? Format::picture : Format::table;
 }
 
 // An option without effect is a misunderstanding, which is better cleared up than passed over.
 void check_options(const Coordinates_options& options, Format format) {
   const auto only_for = [](bool given, const char* option, bool applies, const char* what) {
     if (given && !applies)
-      throw MP::Input_error(std::string(option) + " is for " + what + " only");
+      throw Usage_error(std::string(option) + " is for " + what + " only");
   };
   const bool table = format == Format::table;
   only_for(options.samples.has_value(), "--samples", table, ".csv files");
   only_for(!options.at.empty(), "--at", table, ".csv files");
   only_for(options.derivatives.has_value(), "--derivatives", table, ".csv files");
   only_for(options.vertex.has_value(), "--vertex", !table, ".svg files");
-  if (options.target_error && !(*options.target_error > 0 && *options.target_error < 1))
-    throw MP::Input_error("--target-error must be between 0 and 1, not " +
-                          MP::internal::to_short_text(*options.target_error));
+  only_for(options.target_error.has_value(), "--target-error",
+           options.patch.coordinates.value_or(Coordinates_choice::harmonic) ==
+               Coordinates_choice::harmonic,
+           "harmonic coordinates");
+  check_different(options.output, {options.patch.input});
+  if (!options.at.empty())
+    check_different(options.output, {options.at});
 }
 
 void check_files(const Coordinates_options& options) {
-  MP::internal::check_different(options.output, options.patch.input);
-  if (!options.at.empty()) {
-    MP::internal::check_different(options.output, options.at);
+  if (!options.at.empty())
     MP::internal::open_for_reading(options.at);
-  }
   MP::internal::check_writable(options.output);
 }
 
@@ -98,10 +94,9 @@ std::vector<Located_point> located_points(const Domain_mesh& mesh) {
 
 void warn_of_outside_points(const Point_file& file, std::size_t points) {
   if (file.outside() > 0)
-    std::fprintf(stderr,
-                 "multipatch: warning: %zu of %zu points lie outside the domain and have nan "
-                 "for coordinates; the first is %s\n",
-                 file.outside(), points, file.first_outside().c_str());
+    warn(std::to_string(file.outside()) + " of " + std::to_string(points) +
+         " points lie outside the domain and have nan for coordinates; the first is " +
+         file.first_outside());
 }
 
 std::size_t write_table(const Coordinates_options& options, const Domain_input& input,
@@ -174,7 +169,7 @@ void print_summary(const Coordinates_options& options, const Domain_input& input
   std::printf("; setup %.3f s, evaluation %.3f s\n", clock.seconds("setup"),
               clock.seconds("evaluation"));
   if (input.report)
-    print_remarks(*input.report);
+    warn_of_remarks(*input.report);
 }
 
 void print_choice(const std::vector<std::size_t>& drawn, std::size_t n) {

@@ -60,12 +60,10 @@ MP::Side_parameter_options side_parameter_options(const Any_model& model) {
 } // namespace
 
 void domain_command(const Domain_picture_options& options) {
-  if (MP::internal::file_extension(options.output) != ".svg")
-    throw MP::Input_error(options.output + ": expected a name that ends in .svg");
+  check_different(options.output, {options.patch.input});
   const Any_model model = read_model(options.patch);
   check_index(options.side, number_of_sides(model), "--side");
   check_index(options.coordinate, number_of_sides(model), "--coordinate");
-  MP::internal::check_different(options.output, options.patch.input);
   MP::internal::check_writable(options.output);
 
   const auto [domain, report] = make_domain(model);
@@ -107,7 +105,7 @@ void domain_command(const Domain_picture_options& options) {
   file.commit();
   std::printf("%s: domain %s, %s\n", options.output.c_str(), domain_name(report),
               clearance_text(report).c_str());
-  print_remarks(report);
+  warn_of_remarks(report);
 }
 
 } // namespace multipatch

@@ -31,8 +31,8 @@ Domain_input polygon_domain(const Patch_options& options) {
   for (const auto& [given, option] : {std::pair(options.domain.has_value(), "--domain"),
                                       std::pair(options.clearance.has_value(), "--clearance")})
     if (given)
-      throw MP::Input_error(options.input + ": " + option +
-                            " is for patches, not for polygon files; a polygon is taken as it is");
+      throw Usage_error(options.input + ": " + option +
+                        " is for patches, not for polygon files; a polygon is taken as it is");
   auto polygon = MP::IO::read_polygon_file<Kernel>(options.input);
   return {std::move(polygon.domain), std::move(polygon.vertices),
           options.coordinates.value_or(Coordinates_choice::harmonic), std::nullopt};

@@ -42,7 +42,11 @@ void print_ribbons(const Any_model& model, const Loop& ribbons) {
       "the\nangle between the tangent planes of the two ribbons at the corner. Contact is "
       "what the patch\nhas in common with the ribbon along the side: G0 the curve, G1 tangent "
       "planes, G2 curvatures.\n");
-  print_contact_shortfalls({model}, {"  "});
+  for (const std::string& text : contact_shortfalls(model))
+    std::printf("  %s\n", text.c_str());
+  const std::string advice = contact_advice({model});
+  if (!advice.empty())
+    std::printf("  %s\n", advice.c_str());
 }
 
 template <typename Description>
@@ -91,7 +95,8 @@ private:
 void print_domain(const MP::Domain_report& report) {
   std::printf("Domain: %s, %s (wanted %.3g)\n", domain_name(report), clearance_text(report).c_str(),
               report.wanted_clearance);
-  print_remarks(report);
+  for (const std::string& remark : remarks(report))
+    std::printf("  %s\n", remark.c_str());
 }
 
 } // namespace

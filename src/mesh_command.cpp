@@ -6,7 +6,9 @@
 #include "mesh_job.h"
 
 #include <CGAL/Multisided_patches/IO/internal/file_access.h>
-#include <CGAL/Multisided_patches/IO/surface_mesh.h>
+
+#include <filesystem>
+#include <system_error>
 
 namespace multipatch {
 
@@ -14,11 +16,12 @@ namespace MP = CGAL::Multisided_patches;
 
 namespace {
 
-// Throws if a file of this name must not be written, or cannot be.
-void check_output(const std::string& output, const std::vector<std::string>& inputs) {
+void refuse_directories(const std::vector<std::string>& inputs) {
+  std::error_code ignored;
   for (const std::string& input : inputs)
-    MP::internal::check_different(output, input);
-  MP::internal::check_writable(output);
+    if (std::filesystem::is_directory(input, ignored))
+      throw MP::Input_error(input + ": expected a file, found a directory; with "
+                                    "--output-directory, all patches in it are meshed");
 }
 
 } // namespace
@@ -55,15 +58,18 @@ void mesh_command(const Mesh_options& options) {
     return;
   }
   // What cannot succeed fails before the work, not after it.
+  check_different(options.output, options.inputs);
+  if (!options.report.empty()) {
+    check_different(options.report, options.inputs);
+    check_different(options.report, {options.output});
+  }
+  refuse_directories(options.inputs);
   Mesh_job job{options, wanted_density(options), Stage_clock(options.quiet)};
-  MP::IO::mesh_format(options.output);
   job.models = job.clock.run(
       "reading", [&] { return read_models(options.patch, options.inputs, options.quiet); });
+  MP::internal::check_writable(options.output);
   if (!options.report.empty())
-    MP::internal::check_different(options.report, options.output);
-  check_output(options.output, options.inputs);
-  if (!options.report.empty())
-    check_output(options.report, options.inputs);
+    MP::internal::check_writable(options.report);
   if (options.inputs.size() == 1)
     mesh_patch(job);
   else

@@ -36,8 +36,8 @@ void print_report(const Mesh_job& job, const Mesh_report& report) {
   std::printf("%s: %zu triangles, %zu vertices; domain %s, %s; %.2f s\n",
               job.options.output.c_str(), report.mesh.triangles, report.mesh.vertices,
               domain_name(domain), clearance_text(domain).c_str(), job.clock.total_seconds());
-  print_remarks(domain);
-  print_contact_shortfalls(job.models, {"  "});
+  warn_of_remarks(domain);
+  warn_of_contact_shortfalls(job.models, {""});
 }
 
 void write_report(const Mesh_job& job, const Mesh_report& report) {

@@ -25,7 +25,7 @@ struct Mesh_report {
   std::size_t boundary_vertices = 0;
 };
 
-// Prints a summary to standard output.
+// Prints a summary to standard output, and warns of what is not as one may expect.
 void print_report(const Mesh_job& job, const Mesh_report& report);
 
 // Writes everything to the file that the user has named, whole or not at all.

@@ -9,6 +9,7 @@
 #include <CGAL/Multisided_patches/IO/GBP.h>
 #include <CGAL/Multisided_patches/IO/internal/file_access.h>
 #include <CGAL/Multisided_patches/IO/patch_json.h>
+#include <CGAL/Multisided_patches/patches/with_resolved_central_weight.h>
 #include <CGAL/Multisided_patches/ribbons/internal/net_quads.h>
 
 #include <algorithm>
@@ -16,6 +17,7 @@
 #include <filesystem>
 #include <optional>
 #include <system_error>
+#include <utility>
 #include <variant>
 
 namespace multipatch {
@@ -50,16 +52,18 @@ const char* extension(Model_format format) {
   return "";
 }
 
+// Whether .cgb files have it. The automatic choice is similarity and what follows it.
+bool has_generator(MP::Domain_generator generator) {
+  const auto& types = MP::IO::internal::domain_types;
+  return generator == MP::Domain_generator::automatic ||
+         std::find(types.begin(), types.end(), generator) != types.end();
+}
+
 std::vector<std::string> cgb_losses(const Concave_model& model) {
   std::vector<std::string> lost;
-  const auto& types = MP::IO::internal::domain_types;
-  // The automatic choice is similarity and what follows it, which the format has.
-  const bool has_generator =
-      model.domain.generator == MP::Domain_generator::automatic ||
-      std::find(types.begin(), types.end(), model.domain.generator) != types.end();
   if (!model.domain_vertices.empty())
     lost.emplace_back("the vertices of the domain");
-  else if (!has_generator)
+  else if (!has_generator(model.domain.generator))
     lost.push_back("the domain generator " + std::string(to_string(model.domain.generator)));
   if (model.coordinates != Coordinates_choice::harmonic)
     lost.push_back(std::string(to_string(model.coordinates)) + " coordinates");
@@ -92,6 +96,21 @@ Any_model read_any(const std::string& file_name) {
     break;
   }
   return Concave_model(MP::IO::read_CGB<Kernel>(file_name));
+}
+
+// A .cgb file has no automatic central weight: it gets the one that the patch in the file would
+// have, with what the format holds of the options.
+MP::Concave_bezier_model_3<Kernel> resolved(const std::string& file_name,
+                                            MP::Concave_bezier_model_3<Kernel> model) {
+  model.reflex_weight = 1;
+  if (!has_generator(model.domain.generator))
+    model.domain.generator = MP::Domain_generator::similarity;
+  try {
+    return MP::with_resolved_central_weight(std::move(model));
+  } catch (const MP::Error& error) {
+    throw MP::Error(file_name + ": what the automatic central weight stands for cannot be found (" +
+                    error.what() + "); a .patch.json file can hold it");
+  }
 }
 
 // The patch on the ribbons of the net that is most like that of the net.
@@ -154,7 +173,8 @@ Any_model fitted(const Any_model& model, const std::string& file_name) {
 void write_model_file(const std::string& file_name, const Any_model& model) {
   switch (model_format(file_name)) {
   case Model_format::cgb:
-    return MP::IO::write_CGB<Kernel>(file_name, std::get<Concave_model>(model));
+    return MP::IO::write_CGB<Kernel>(file_name,
+                                     resolved(file_name, std::get<Concave_model>(model)));
   case Model_format::gbp:
     return MP::IO::write_GBP<Kernel>(file_name, std::get<Generalized_model>(model).net);
   case Model_format::json:

@@ -29,7 +29,8 @@ std::vector<std::string> losses(const Any_model& model, Model_format format);
 // a .cgb file. Throws Input_error, which names the file, if the format is not for this type.
 Any_model fitted(const Any_model& model, const std::string& file_name);
 
-// Writes a model that fits the format, whole or not at all.
+// Writes a model that fits the format, whole or not at all. A .cgb file gets the central weight
+// that `automatic` stands for; throws Error if the patch that would tell cannot be made.
 void write_model_file(const std::string& file_name, const Any_model& model);
 
 } // namespace multipatch

@@ -16,11 +16,9 @@
 
 namespace multipatch {
 
-// Throws, before the work, if a model cannot be written to a file of this name, or must not be.
+// Throws, before the work, if a file of this name cannot be written, or must not be.
 inline void check_model_output(const std::string& output, const std::vector<std::string>& inputs) {
-  model_format(output);
-  for (const std::string& input : inputs)
-    CGAL::Multisided_patches::internal::check_different(output, input);
+  check_different(output, inputs);
   CGAL::Multisided_patches::internal::check_writable(output);
 }
 

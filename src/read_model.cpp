@@ -6,6 +6,7 @@
 #include "any_model.h"
 #include "model_file.h"
 
+#include <CGAL/Multisided_patches/IO/internal/file_access.h>
 #include <CGAL/Multisided_patches/bases/contact_order.h>
 
 #include <cmath>
@@ -15,6 +16,8 @@
 #include <system_error>
 #include <type_traits>
 #include <variant>
+
+#include <unistd.h>
 
 namespace multipatch {
 
@@ -30,12 +33,13 @@ void warn_of_mismatches(const Any_model& model, const std::string& prefix) {
     return;
   for (std::size_t i = 0; i < concave->loop.size(); ++i) {
     const double mismatch = degrees(concave->loop.corner_normal_mismatch(i));
-    if (mismatch > tolerable)
-      std::fprintf(stderr,
-                   "multipatch: warning: %sthe tangent planes of sides %zu and %zu differ by %.1f "
-                   "degrees at corner %zu%s\n",
-                   prefix.c_str(), concave->loop.prev(i), i, mismatch, i,
-                   mismatch > 90 ? "; does one of them lead out of the hole?" : "");
+    if (mismatch <= tolerable)
+      continue;
+    char angle[40];
+    std::snprintf(angle, sizeof angle, "%.1f", mismatch);
+    warn(prefix + "the tangent planes of sides " + std::to_string(concave->loop.prev(i)) + " and " +
+         std::to_string(i) + " differ by " + angle + " degrees at corner " + std::to_string(i) +
+         (mismatch > 90 ? "; does one of them lead out of the hole?" : ""));
   }
 }
 
@@ -48,8 +52,8 @@ void refuse_duplicates(const std::vector<std::string>& inputs) {
     const auto path = std::filesystem::canonical(input, error);
     const auto [first, is_new] = seen.emplace(error ? std::filesystem::path(input) : path, input);
     if (!is_new)
-      throw MP::Input_error(input + ": the file is given twice" +
-                            (first->second == input ? "" : ", first as " + first->second));
+      throw Usage_error(input + ": the file is given twice" +
+                        (first->second == input ? "" : ", first as " + first->second));
   }
 }
 
@@ -127,6 +131,21 @@ std::vector<Any_model> read_models(Patch_options options, const std::vector<std:
   return models;
 }
 
+void warn(const std::string& text) {
+  // Over the line on which a Stage_clock shows what is running.
+  std::fprintf(stderr, "%smultipatch: warning: %s\n", isatty(STDERR_FILENO) ? "\r\033[K" : "",
+               text.c_str());
+}
+
+void check_different(const std::string& output, const std::vector<std::string>& others) {
+  try {
+    for (const std::string& other : others)
+      MP::internal::check_different(output, other);
+  } catch (const MP::Input_error& error) {
+    throw Usage_error(error.what());
+  }
+}
+
 double degrees(double radians) {
   return radians * 180 / CGAL_PI;
 }
@@ -150,10 +169,16 @@ std::string clearance_text(const MP::Domain_report& report) {
   return text;
 }
 
-void print_remarks(const MP::Domain_report& report, const std::string& prefix) {
+std::vector<std::string> remarks(const MP::Domain_report& report) {
+  std::vector<std::string> texts;
   for (const auto& remark : report.remarks)
-    std::printf("%sdomain %s: %s\n", prefix.c_str(), to_string(remark.generator),
-                remark.reason.c_str());
+    texts.push_back(std::string("domain ") + to_string(remark.generator) + ": " + remark.reason);
+  return texts;
+}
+
+void warn_of_remarks(const MP::Domain_report& report, const std::string& prefix) {
+  for (const std::string& remark : remarks(report))
+    warn(prefix + remark);
 }
 
 } // namespace multipatch

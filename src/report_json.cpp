@@ -121,6 +121,12 @@ Json statistics_json(const Mesh_statistics& mesh) {
   return json;
 }
 
+Json checked_mesh_json(const Checked_mesh& mesh) {
+  Json json = statistics_json(mesh.statistics);
+  json["self_intersections"] = mesh.self_intersections;
+  return json;
+}
+
 Json seconds_json(const Stage_clock& clock) {
   Json seconds = Json::object();
   for (const auto& [stage, time] : clock.seconds())

@@ -23,6 +23,7 @@ Json domain_json(const CGAL::Multisided_patches::Domain_report& domain);
 Json coordinates_json(const Patch_origin& origin);
 Json density_json(const CGAL::Multisided_patches::Mesh_density& density);
 Json statistics_json(const Mesh_statistics& mesh);
+Json checked_mesh_json(const Checked_mesh& mesh);
 Json seconds_json(const Stage_clock& clock);
 
 // The pairs of sides that are joined, by the names of the inputs, and those that are not.

@@ -5,6 +5,8 @@
 
 #include "report_output.h"
 
+#include "commands.h"
+
 #include <CGAL/Multisided_patches/IO/internal/file_access.h>
 
 #include <cstdio>
@@ -19,8 +21,7 @@ Report_output::Report_output(std::string json_file, bool quiet,
     : json_file_(std::move(json_file)), quiet_(quiet) {
   if (!writes_file())
     return;
-  for (const std::string& input : inputs)
-    MP::internal::check_different(json_file_, input);
+  check_different(json_file_, inputs);
   MP::internal::check_writable(json_file_);
 }
 

@@ -9,12 +9,14 @@
 #include <CGAL/Multisided_patches/IO/CGB.h>
 #include <CGAL/Multisided_patches/analysis/continuity_report.h>
 #include <CGAL/Multisided_patches/bases/automatic_central_weight.h>
+#include <CGAL/Multisided_patches/bases/contact_order.h>
 #include <CGAL/Multisided_patches/coordinates/Harmonic_coordinates_2.h>
 #include <CGAL/Multisided_patches/coordinates/Mean_value_coordinates_2.h>
 #include <CGAL/Multisided_patches/coordinates/Wachspress_coordinates_2.h>
 #include <CGAL/Multisided_patches/patches/Concave_bezier_patch_3.h>
 #include <CGAL/Multisided_patches/patches/central_control_point.h>
 #include <CGAL/Multisided_patches/patches/fair_central_point.h>
+#include <CGAL/Multisided_patches/patches/with_resolved_central_weight.h>
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Simple_cartesian.h>
@@ -163,6 +165,49 @@ TEST_CASE("Two of the example models get a central point, with the weight that s
     if (stars.count(name) != 0)
       CHECK(chosen(model) == in_file);
   }
+}
+
+TEST_CASE("Whether there is a central point depends on the domain, whatever the ribbons") {
+  for (const std::string name : {"g2_blend", "l_bracket", "mixed_duct", "plus_hub", "saddle_seat",
+                                 "spiral_volute", "star_knob", "t_junction", "u_vent"}) {
+    CAPTURE(name);
+    Model model = MP::IO::read_CGB<Kernel>(std::string(MODELS_DIR) + '/' + name + ".cgb");
+    model.central_weight = Central_weight::automatic;
+    model.corner_control_points.clear();
+    const bool is_star = name == "plus_hub" || name == "star_knob";
+    CHECK(chosen(model) == (is_star ? Central_weight::weight_deficiency : Central_weight::none));
+    const Coordinates coordinates = Patch(model).coordinates();
+    for (std::size_t degree = 3; degree <= 8; ++degree)
+      for (const std::size_t layers : {2, 3, 4}) {
+        CAPTURE(degree, layers);
+        std::vector<Ribbon> ribbons;
+        for (const Ribbon& ribbon : model.loop.ribbons())
+          ribbons.push_back(
+              ribbon.elevated((std::max)(degree, ribbon.degree())).with_layers(layers));
+        const Loop loop(ribbons);
+        // The deficiency of even degrees is negative in places; contact comes first.
+        const bool has_product = degree % 2 == 0 && MP::contact_order(loop, 0) <= 1;
+        CHECK(MP::automatic_central_weight(loop, coordinates) ==
+              (!is_star      ? Central_weight::none
+               : has_product ? Central_weight::full_product
+                             : Central_weight::weight_deficiency));
+      }
+  }
+}
+
+TEST_CASE("A model gets the weight that its patch has, or the error of making that") {
+  Model model = over(cross());
+  const MP::Concave_bezier_patch_3<Kernel> patch(model);
+  const Model resolved = MP::with_resolved_central_weight(model);
+  CHECK(resolved.central_weight == Central_weight::weight_deficiency);
+  CHECK(resolved.central_point == patch.control_point(patch.basis().central_index()));
+  CHECK(MP::with_resolved_central_weight<Kernel>(over(l_shape()).loop).central_weight ==
+        Central_weight::none);
+  model.reflex_weight = -1;
+  CHECK_THROWS_AS(MP::with_resolved_central_weight(model), MP::Input_error);
+  model.central_weight = Central_weight::adjacent_products; // is as it is
+  CHECK(MP::with_resolved_central_weight(model).central_weight ==
+        Central_weight::adjacent_products);
 }
 
 TEST_CASE("Automatic is the default, and means the same as the weight that it stands for") {

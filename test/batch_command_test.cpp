@@ -151,7 +151,9 @@ TEST_CASE("A bad file ends the run, or is reported and passed over, and leaves n
   const Result ended = work.run(batch + "--threads 1 --report report.json");
   CHECK(ended.status == 1);
   CHECK(ended.out.empty());
-  CHECK_THAT(ended.err, StartsWith("multipatch: in/a.cgb:"));
+  CHECK_THAT(ended.err,
+             StartsWith("multipatch: in/a.cgb:") &&
+                 EndsWith("; not done: 4 of 5 files, with which --keep-going goes on\n"));
   CHECK(std::count(ended.err.begin(), ended.err.end(), '\n') == 1);
   CHECK(work.names() == std::set<std::string>{manifest});
   CHECK_THAT(contents(work / "report.json"), Contains("\"not_done\": 4,"));
@@ -374,7 +376,7 @@ TEST_CASE("What cannot be a batch is refused before the work, and leaves nothing
       {"mesh in --output-directory out --report ./out/" + manifest, 1, "it is the manifest"},
       {"mesh in out/" + manifest + " --output-directory out --keep-going", 1, "it is the manifest"},
       {"mesh in --output-directory out --report no/report.json", 1, "no/report.json: cannot be"},
-      {"mesh in --output-directory out --edge-length 0", 1, "not 0"},
+      {"mesh in --output-directory out --edge-length 0", 2, "not 0"},
       {"mesh in --output-directory out -o a.ply", 2, "excludes"},
       {"mesh in --output-directory out --format pdf", 2, "pdf"},
       {"mesh in --output-directory out --threads 0", 2, "0"},

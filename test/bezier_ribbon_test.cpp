@@ -73,6 +73,19 @@ TEST_CASE("Arc lengths are those of curves whose length is known") {
   }
 }
 
+TEST_CASE("One control point of a ribbon moves, and no other") {
+  Random random(3);
+  const Ribbon r = random_ribbon(random, 3, 2);
+  const Point_3 p(7, 8, 9);
+  const Ribbon moved = r.with_control_point(2, 1, p);
+  CHECK(moved.degree() == 3);
+  for (std::size_t k = 0; k < 2; ++k)
+    for (std::size_t j = 0; j < 4; ++j)
+      CHECK(moved.control_point(j, k) == (j == 2 && k == 1 ? p : r.control_point(j, k)));
+  const double infinity = std::numeric_limits<double>::infinity();
+  CHECK_THROWS_AS(r.with_control_point(0, 0, Point_3(infinity, 0, 0)), MP::Input_error);
+}
+
 TEST_CASE("A ribbon refuses sizes that do not fit and coordinates that are not finite") {
   using Catch::Matchers::Contains;
   const std::vector<Point_3> four(4, Point_3(0, 0, 0));

@@ -9,10 +9,14 @@
 
 #include <CGAL/Multisided_patches/IO/CGB.h>
 
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Simple_cartesian.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <filesystem>
 #include <iterator>
 #include <sstream>
 #include <utility>
@@ -170,24 +174,29 @@ TEST_CASE("A byte order mark at the beginning of a .cgb file makes no difference
   CHECK(bits(read("\xef\xbb\xbf" + valid_text)) == bits(read(valid_text)));
 }
 
-TEST_CASE("An automatic central weight is written as what the patch has, and read as such") {
-  // A cross on a dome: there is a reason to choose.
-  const std::vector<Point_2> cross{{-1, -3}, {1, -3}, {1, -1}, {3, -1}, {3, 1},   {1, 1},
-                                   {1, 3},   {-1, 3}, {-1, 1}, {-3, 1}, {-3, -1}, {-1, -1}};
-  Model model(lifted_loop(cross, [](double x, double y) { return -0.1 * (x * x + y * y); }));
-  model.domain.generator = MP::Domain_generator::projected;
-  REQUIRE(model.central_weight == MP::Central_weight::automatic);
-  const MP::Concave_bezier_patch_3<Kernel> patch(model);
-  Model again = read(written(model));
-  CHECK(again.central_weight == MP::Central_weight::weight_deficiency);
-  CHECK(again.central_point == patch.control_point(patch.basis().central_index()));
-  CHECK(written(again) == written(model));
-  again.central_weight = MP::Central_weight::none; // what is asked for is written as it stands
-  CHECK(read(written(again)).central_weight == MP::Central_weight::none);
+TEST_CASE("An automatic central weight is refused, and a loop is written without a central point") {
+  Model model = read(valid_text);
+  model.central_weight = MP::Central_weight::automatic;
+  CHECK_THAT(input_error_of([&] { written(model); }), Contains("with_resolved_central_weight()"));
+  const Scratch_directory directory;
+  CHECK_THROWS_AS(MP::IO::write_CGB(directory / "model.cgb", model), MP::Input_error);
+  CHECK(!std::filesystem::exists(directory / "model.cgb"));
 
-  const Model plain(
-      lifted_loop({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, [](double, double) { return 0; }));
-  CHECK(read(written(plain)).central_weight == MP::Central_weight::none);
+  MP::IO::write_CGB(directory / "loop.cgb", model.loop);
+  CHECK(MP::IO::read_CGB<Kernel>(directory / "loop.cgb").central_weight ==
+        MP::Central_weight::none);
+}
+
+TEST_CASE("Models in exact numbers are read and written, with no need of coordinates") {
+  using Exact = CGAL::Simple_cartesian<CGAL::Exact_rational>;
+  std::istringstream in(valid_text);
+  const auto model = MP::IO::read_CGB<Exact>(in, "x.cgb");
+  std::ostringstream out;
+  MP::IO::write_CGB(out, model);
+  CHECK(out.str() == written(read(valid_text)));
+  std::ostringstream loop;
+  MP::IO::write_CGB(loop, model.loop);
+  CHECK_THAT(loop.str(), StartsWith("1\n"));
 }
 
 TEST_CASE("A model is written alike whatever the format flags and the locale of the stream") {

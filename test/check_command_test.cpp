@@ -8,6 +8,7 @@
 #include "catch.h"
 #include "program_fixtures.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -15,6 +16,7 @@
 #include <limits>
 #include <sstream>
 #include <string>
+#include <utility>
 
 using namespace program_fixtures;
 using Catch::Matchers::Contains;
@@ -105,7 +107,7 @@ TEST_CASE("Check finds the sides that patches have in common, and how they meet 
   work.write("far.cgb", square(3, flat));
 
   const std::string pair = work.run_well("check a.cgb b.cgb far.cgb");
-  CHECK_THAT(pair, Contains("\na.cgb side 1 and b.cgb side 3:\n"));
+  CHECK_THAT(pair, Contains("\na.cgb side 1 and b.cgb side 3   "));
   CHECK(pair.find(" and ") == pair.rfind(" and "));
   CHECK_THAT(work.run_well("check a.cgb b.cgb --json -"),
              Contains("\"input_b\": \"b.cgb\"") && Contains("\"reversed\": true"));
@@ -124,7 +126,114 @@ TEST_CASE("Check finds the sides that patches have in common, and how they meet 
   CHECK(apart.status == 1);
   CHECK(last_max(apart.out, "position") == Approx(1e-4).epsilon(1e-9));
   CHECK_THAT(work.run_well("check a.cgb gap.cgb --position-tolerance 1e-4"),
-             Contains("a mesh has a gap here") && Contains("Sides: 0 pairs shared exactly, 8 "));
+             Contains("  not the same curve: a mesh has a gap here\n") &&
+                 Contains("Sides: 0 pairs shared exactly, 8 "));
+}
+
+TEST_CASE(
+    "Check prints a line for each pair of common sides, and for those that run alike the why") {
+  const Scratch work("check_table");
+  const auto flat = [](double, double) { return 0; };
+  for (int k = 0; k < 4; ++k)
+    work.write(std::to_string(k) + ".cgb", square(k, flat));
+  const std::string row = work.run_well("check 0.cgb 1.cgb 2.cgb 3.cgb");
+  const std::size_t table = row.find("\ncommon sides ");
+  REQUIRE(table != std::string::npos);
+  const std::string lines = row.substr(table, row.find("\nSides: ") - table);
+  CHECK(std::count(lines.begin(), lines.end(), '\n') == 4);
+  for (int k = 0; k < 3; ++k)
+    CHECK_THAT(lines, Contains('\n' + std::to_string(k) + ".cgb side 1 and " +
+                               std::to_string(k + 1) + ".cgb side 3  "));
+
+  work.write("copy.cgb", square(0, flat));
+  const Result twice = work.run("check 0.cgb copy.cgb");
+  CHECK_THAT(twice.out, Contains("\n0.cgb side 0 and copy.cgb side 0  ") && !Contains("gap") &&
+                            Contains("0.cgb side 0 and copy.cgb side 0 have the same curve") &&
+                            Contains("in the same direction"));
+}
+
+namespace {
+
+// A tetrahedron, of which the faces and its last point may be changed.
+std::string off(const std::string& faces = "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n",
+                const std::string& last = "0 0 1") {
+  return "OFF\n4 " + std::to_string(std::count(faces.begin(), faces.end(), '\n')) +
+         " 0\n0 0 0\n1 0 0\n0 1 0\n" + last + '\n' + faces;
+}
+
+} // namespace
+
+TEST_CASE("Check takes the meshes that the command mesh writes, in all formats") {
+  const Scratch work("check_meshes");
+  const std::string vent = MODELS_DIR "/u_vent.cgb";
+  std::string all;
+  for (const std::string extension : {"ply", "obj", "off", "STL"}) {
+    const std::string name = "a." + extension;
+    work.run_well("mesh -q '" + vent + "' -o " + name + " --triangles 500");
+    const std::string line = work.run_well("check " + name);
+    CHECK_THAT(line, StartsWith(name + ": ") &&
+                         Contains(", 1 component, 1 boundary loop, Euler characteristic 1; ") &&
+                         Contains("; 0 self-intersections, 0 degenerate triangles, 0 folded"));
+    // The others have no normals, or they are not read.
+    const bool has_normals = extension == "ply" || extension == "off";
+    CHECK((line.find(", 0 inverted triangles\n") != std::string::npos) == has_normals);
+    all += ' ' + name;
+  }
+  work.write("closed.off", off());
+  CHECK_THAT(work.run_well("check closed.off"),
+             StartsWith("closed.off: 4 triangles, 1 component, closed, Euler characteristic 2; "));
+  CHECK_THAT(work.run_well("check closed.off --json -"),
+             StartsWith("{\n  \"passed\": true,\n  \"failures\": [],\n  \"meshes\": [") &&
+                 Contains("\"input\": \"closed.off\"") && Contains("\"closed\": true") &&
+                 Contains("\"self_intersections\": 0") && EndsWith("\n}\n"));
+  CHECK(work.run_well("check -q --json a.json" + all).empty());
+  const std::string json = contents(work / "a.json");
+  CHECK_THAT(json, Contains("\"input\": \"a.STL\"") && Contains("\"euler_characteristic\": 1"));
+}
+
+TEST_CASE("Check finds what is wrong with a mesh") {
+  const Scratch work("check_bad_meshes");
+  work.write("flat.off", off("3 0 2 1\n3 0 1 3\n", "2 0 0"));
+  work.write("fold.off", off("3 0 1 2\n3 1 0 3\n", "0.1 0.9 0"));
+  work.write("book.off", off("3 0 1 2\n3 1 0 3\n3 0 1 3\n"));
+  work.write("turned.off", off("3 0 1 2\n3 0 1 3\n"));
+  work.write("twice.off", off("3 0 1 1\n"));
+  work.write("square.off", off("4 0 1 2 3\n"));
+  work.write("none.off", off(""));
+  work.write("index.off", off("3 0 1 4\n"));
+  work.write("cut.off", off().substr(0, 40));
+  work.write("nan.off", off("3 0 1 3\n", "0 nan 0"));
+  work.write("junk.ply", "ply\nformat ascii 1.0\nelement vertex 99999999999\nend_header\n");
+  work.write("junk.stl", "nothing of the kind");
+  work.write("inverted.off", "NOFF\n3 1 0\n0 0 0 0 0 -1\n1 0 0 0 0 -1\n0 1 0 0 0 -1\n3 0 1 2\n");
+  work.write("crossing.off",
+             "OFF\n6 2 0\n0 0 0\n1 0 0\n0 1 0\n.2 .2 -1\n.2 .2 1\n.3 .2 1\n3 0 1 2\n3 3 4 5\n");
+  const std::pair<std::string, std::string> rows[] = {
+      {"flat.off", "the mesh has 1 degenerate triangle\n"},
+      {"fold.off", "the mesh has 1 folded edge\n"},
+      {"book.off", "the triangles make no mesh: more than two triangles meet at 1 edge\n"},
+      {"turned.off", "the triangles on the two sides of 1 edge turn opposite ways\n"},
+      {"twice.off", "a triangle has vertex 1 twice\n"},
+      {"square.off", "face 0 has 4 corners; triangles were expected\n"},
+      {"none.off", "expected triangles, found none\n"},
+      {"index.off", "index.off: "},
+      {"cut.off", "cut.off: cannot be read"},
+      {"nan.off", "nan.off: "},
+      {"junk.ply", "junk.ply: "},
+      {"junk.stl", "junk.stl: "},
+      {"inverted.off", "the mesh has 1 inverted triangle\n"},
+      {"crossing.off", "the mesh has 1 self-intersection\n"}};
+  for (const auto& [name, message] : rows) {
+    INFO(name);
+    const Result result = work.run("check " + name);
+    CHECK(result.status == 1);
+    CHECK_THAT(result.err, StartsWith("multipatch: " + name + ": ") && Contains(message));
+  }
+  work.write("good.off", off());
+  const Result several = work.run("check good.off book.off fold.off --json -");
+  CHECK(several.status == 1);
+  CHECK_THAT(several.err, Contains("book.off: the triangles") && Contains("; fold.off: the mesh"));
+  CHECK_THAT(several.out, StartsWith("{\n  \"passed\": false,") && Contains("\"mesh\": null"));
 }
 
 TEST_CASE("Check finds that a closed body is closed") {
@@ -134,8 +243,8 @@ TEST_CASE("Check finds that a closed body is closed") {
     inputs += " '" + entry.path().string() + "'";
   const std::string table = work.run_well("check --json a.json" + inputs);
   CHECK_THAT(table, Contains("Sides: 30 pairs shared exactly, 0 sides free\n") &&
-                        Contains(" triangles, closed; ") && Contains("; 0 self-intersections, ") &&
-                        !Contains("gap"));
+                        Contains(" triangles, 1 component, closed, Euler characteristic 2; ") &&
+                        Contains("; 0 self-intersections, ") && !Contains("gap"));
   const std::string json = contents(work / "a.json");
   std::size_t seams = 0;
   for (std::size_t at = json.find("\"exact\": true"); at != std::string::npos;
@@ -180,16 +289,20 @@ TEST_CASE("What keeps check from its work is said before it starts") {
     std::string message;
   };
   for (const Row& row :
-       {Row{"x.cgb missing.cgb", 1, "missing.cgb: cannot be opened"},
+       {Row{"x.cgb missing.cgb", 1, "missing.cgb: cannot be opened for reading: No such"},
         Row{"x.cgb bad.cgb --json a.json", 1, "bad.cgb:5: "},
         Row{std::string("x.cgb --coordinates wachspress '") + MODELS_DIR + "/u_vent.cgb'", 1,
             "u_vent.cgb: Wachspress coordinates need"},
         Row{"x.cgb --json directory.json", 1, "directory.json: cannot be written"},
         Row{"x.cgb --json no/a.json", 1, "no/a.json: cannot be opened"},
-        Row{"x.cgb --json ./x.cgb", 1, "x.cgb: cannot be written"},
-        Row{"x.cgb --plane-tolerance nan", 1, "not nan"},
-        Row{"x.cgb --position-tolerance -1", 1, "not -1"},
-        Row{"x.cgb --curvature-tolerance much", 2, "much"}, Row{"x.cgb --samples 0", 2, "0"},
+        Row{"x.cgb --json ./x.cgb", 2, "x.cgb: cannot be written"},
+        Row{"x.cgb --plane-tolerance nan", 2, "not nan"},
+        Row{"x.cgb --position-tolerance -1", 2, "a number of at least 0, not -1\n"},
+        Row{"x.cgb --curvature-tolerance much", 2, "much"},
+        Row{"x.foo", 2, "x.foo: expected a name that ends in .cgb, .gbp or .patch.json, or"},
+        Row{"x.cgb missing.ply", 2, "not both at a time"},
+        Row{"missing.ply --samples 3", 2, "--samples: is for patches, not for meshes"},
+        Row{"missing.ply", 1, "missing.ply: cannot be opened"}, Row{"x.cgb --samples 0", 2, "0"},
         Row{"x.cgb --mesh-triangles 0", 2, "0"}, Row{"", 2, "INPUT"}}) {
     INFO("multipatch check " << row.arguments);
     const Result result = work.run("check " + row.arguments);

@@ -118,6 +118,18 @@ TEST_CASE("On four sides elevating a net is elevating a tensor product patch") {
   }
 }
 
+TEST_CASE("A degree that a net cannot get is refused at once, by its name") {
+  Random random(3);
+  const Net net = random_net(random, 5, 3);
+  using Catch::Matchers::Contains;
+  CHECK_THROWS_WITH(MP::elevate_net(net, 5000), Contains("degree 5000"));
+  CHECK_THROWS_WITH(MP::elevate_net(net, 2), Contains("of degree 3") && Contains("degree 2"));
+  CHECK_THROWS_WITH(MP::reduce_net(net, 4), Contains("of degree 3") && Contains("degree 4"));
+  CHECK_THROWS_AS(MP::reduce_net(net, 0), MP::Input_error);
+  CHECK(MP::elevate_net(net, 3).control_points() == net.control_points());
+  CHECK(MP::reduce_net(net, 3).control_points() == net.control_points());
+}
+
 TEST_CASE("A central point without influence on a patch has none on the elevated one") {
   Random random(17);
   const std::vector<std::pair<std::size_t, std::size_t>> cases{{3, 1}, {3, 2}, {5, 1}, {4, 3}};
@@ -214,6 +226,27 @@ TEST_CASE("Ribbons of higher degree than the patch they come from give the patch
   REQUIRE(net.degree() == 5);
   CHECK(same_but_for_idle_central_point(
       net, tensor_product_net(elevated_grid(elevated_grid(grid)), Point(0, 0, 0))));
+}
+
+TEST_CASE("A control point of a loop moves with what its neighbours share, as in a control net") {
+  Random random(15);
+  for (const std::size_t n : {3, 4, 5})
+    for (const std::size_t d : {1, 3, 5}) { // ribbons have the points of the net
+      const Net net = random_net(random, n, d);
+      const Loop loop = net.loop();
+      for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t k = 0; k < net.layers(); ++k)
+          for (std::size_t j = 0; j <= d; ++j) {
+            CAPTURE(n, d, i, j, k);
+            const Point p = random_point(random);
+            std::vector<Point> points = net.control_points();
+            points[net.index(i, j, k)] = p;
+            const Loop moved = loop.with_control_point(i, j, k, p),
+                       expected = net.with_control_points(points).loop();
+            for (std::size_t side = 0; side < n; ++side)
+              CHECK(moved[side].control_points() == expected[side].control_points());
+          }
+    }
 }
 
 TEST_CASE("A net has the ribbons from which it was made, whatever their degrees and layers") {

@@ -98,10 +98,11 @@ TEST_CASE("What keeps exact from its work is said before it starts") {
     int status;
     std::string message;
   };
-  for (const Row& row : {Row{"missing.cgb", 1, "missing.cgb: cannot be opened"},
-                         Row{input + " --json no/a.json", 1, "no/a.json: cannot be opened"},
-                         Row{input + " --json " + input, 1, "it is the same file"},
-                         Row{input + " --samples 0", 2, "--samples"}}) {
+  for (const Row& row :
+       {Row{"missing.cgb", 1, "missing.cgb: cannot be opened for reading: No such"},
+        Row{input + " --json no/a.json", 1, "no/a.json: cannot be opened"},
+        Row{input + " --json " + input, 2, "it is the same file"},
+        Row{input + " --samples 0", 2, "--samples"}}) {
     INFO(row.arguments);
     const Result result = work.run("exact " + row.arguments);
     CHECK(result.status == row.status);

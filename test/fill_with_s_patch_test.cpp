@@ -214,6 +214,15 @@ TEST_CASE("Ribbons far from the origin agree up to rounding") {
   }
 }
 
+TEST_CASE("A patch of an elevated net has the ribbons that are passed on, and else its boundary") {
+  const Patch patch = MP::fill_with_S_patch(convex_models().front());
+  const Net elevated = patch.net().elevated();
+  CHECK(Patch(elevated).loop()[0].layers() == 1);
+  const Patch again(elevated, patch.loop(), patch.coordinates());
+  CHECK(again.loop()[0].layers() == 2);
+  check_that_it_meets_its_ribbons(again);
+}
+
 TEST_CASE("Of ribbons with three layers the tangent planes are met") {
   const unsigned seed = 15;
   CAPTURE(seed);

@@ -188,6 +188,43 @@ TEST_CASE("Closest places are found on the patch, and a cloud of points is fitte
   CHECK(distance() < before / 100);
 }
 
+TEST_CASE("Points without a finite distance have no closest places, and are named") {
+  Random random(10);
+  const Patch patch(random_net(random, 5, 3, 0.1));
+  const double infinity = std::numeric_limits<double>::infinity(),
+               nan = std::numeric_limits<double>::quiet_NaN();
+  for (const double x : {nan, infinity, -infinity, 1e200}) {
+    CAPTURE(x);
+    const std::vector<Point_3> points{Point_3(0, 0, 0), Point_3(0, x, 0)};
+    CHECK_THROWS_WITH(MP::closest_parameters(patch, points),
+                      Catch::Matchers::Contains("point 1 has no finite distance"));
+  }
+  CHECK(MP::closest_parameters(patch, std::vector<Point_3>{Point_3(1e150, 0, 0)}).size() == 1);
+}
+
+TEST_CASE("Least squares have the same solution by blocks of rows as at once") {
+  using Matrix = Eigen::MatrixXd;
+  const unsigned seed = 20261123;
+  CAPTURE(seed);
+  Random random(seed);
+  for (const Eigen::Index unknowns : {1, 2, 7, 20})
+    for (const Eigen::Index rows : {1, 6, 41, 400})
+      for (const Eigen::Index rank : {unknowns, (unknowns + 1) / 2}) {
+        CAPTURE(unknowns, rows, rank);
+        const auto random_matrix = [&](Eigen::Index m, Eigen::Index n) {
+          return Matrix(Matrix::NullaryExpr(m, n, [&] { return random.in(-1, 1); }));
+        };
+        const Matrix a = random_matrix(rows, rank) * random_matrix(rank, unknowns),
+                     b = random_matrix(rows, 3);
+        MP::internal::Least_squares_rows by_blocks(static_cast<std::size_t>(unknowns));
+        for (Eigen::Index r = 0; r < rows; ++r)
+          by_blocks.add_row() << a.row(r), b.row(r);
+        // Of all solutions the smallest: that of the pseudoinverse.
+        const Matrix expected = a.completeOrthogonalDecomposition().solve(b);
+        CHECK((by_blocks.solve() - expected).norm() <= 1e-9 * (1 + expected.norm()));
+      }
+}
+
 TEST_CASE("A fit says what is wrong with its points") {
   Random random(9);
   const Patch patch(random_net(random, 5, 3, 0.1));

@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <string>
+#include <utility>
 
 using namespace patch_file_fixtures;
 using Catch::Matchers::Contains;
@@ -69,6 +70,122 @@ TEST_CASE(
   CHECK(json["domain"]["clearance"] == 0.05);
   CHECK(json["parameter_dilation"] == 0.25);
   CHECK(work.run("merge a.cgb b.cgb -o c.cgb").err.empty()); // they agree, and have no more
+}
+
+namespace {
+
+// A flat patch on a rectangle: the description of a control net with the default options.
+Json rectangle(double x0, double y0, double x1, double y1, std::size_t degree = 1) {
+  const std::pair<double, double> corners[] = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
+  const double x = (x0 + x1) / 2, y = (y0 + y1) / 2;
+  Json points = Json::array();
+  for (std::size_t k = 0; k < (degree + 1) / 2; ++k)
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t j = k; j < degree - k; ++j) {
+        const auto &a = corners[i], &b = corners[(i + 1) % 4];
+        const double t = static_cast<double>(j - k) / static_cast<double>(degree - 2 * k),
+                     r = 1 - 2 * static_cast<double>(k) / static_cast<double>(degree + 1);
+        points.push_back({x + r * (a.first + t * (b.first - a.first) - x),
+                          y + r * (a.second + t * (b.second - a.second) - y), 0});
+      }
+  points.push_back({x, y, 0});
+  Json json = Json::parse(head + R"("generalized-bezier", "number_of_sides": 4})");
+  json["degree"] = degree;
+  json["control_points"] = points;
+  return json;
+}
+
+Json with_options(Json json, const std::string& coordinates, const Json& domain) {
+  json["coordinates"] = coordinates;
+  json["domain"] = domain;
+  return json;
+}
+
+} // namespace
+
+TEST_CASE("Merging takes over what descriptions of any type say and no other one contradicts") {
+  const Scratch work("merge_nets");
+  const Json projected = {{"generator", "projected"}, {"clearance", 0.1}};
+  const Json above = rectangle(0, 0, 2, 1), below = rectangle(0, -1, 2, 0);
+  work.write("a.patch.json", with_options(above, "mean-value", projected).dump());
+  work.write("b.patch.json", with_options(below, "mean-value", projected).dump());
+  work.write("plain.patch.json", below.dump());
+  work.run_well("convert -q plain.patch.json b.gbp");
+  work.write("b.cgb", cgb({{0, -1}, {2, -1}, {2, 0}, {0, 0}}));
+
+  for (const std::string other : {"b.patch.json", "b.gbp"}) { // a .gbp file cannot say anything
+    INFO(other);
+    work.run_well("merge a.patch.json " + other + " -o c.patch.json");
+    const Json json = json_of(work, "c.patch.json");
+    CHECK(json["coordinates"] == "mean-value");
+    CHECK(json["domain"] == projected);
+    CHECK(json["central_weight"] == "automatic");
+  }
+  work.run_well("merge b.gbp a.patch.json -o c.patch.json");
+  CHECK(json_of(work, "c.patch.json")["domain"] == projected);
+
+  // What one of the types does not have is no disagreement.
+  const Result mixed = work.run("merge a.patch.json b.cgb -o c.patch.json");
+  CHECK(mixed.status == 0);
+  CHECK_THAT(mixed.err, EndsWith("do not agree on the domain generator, the clearance and the "
+                                 "coordinates; the merged patch has the default\n"));
+  CHECK(json_of(work, "c.patch.json")["coordinates"] == "harmonic");
+  CHECK(json_of(work, "c.patch.json")["central_weight"] == "none");
+}
+
+TEST_CASE("Merging names what it leaves out of patches of any type") {
+  const Scratch work("merge_losses");
+  const Json regular = {{"generator", "regular"}, {"clearance", 0.05}};
+  work.write("a.patch.json", with_options(rectangle(0, 0, 2, 1), "wachspress", regular).dump());
+  const auto warning = [&](const Json& other) {
+    work.write("b.patch.json", other.dump());
+    const Result result = work.run("merge a.patch.json b.patch.json -o c.patch.json");
+    CHECK(result.status == 0);
+    return result.err;
+  };
+  CHECK(warning(rectangle(0, -1, 2, 0)).empty());
+  CHECK(json_of(work, "c.patch.json")["coordinates"] == "wachspress");
+  CHECK(json_of(work, "c.patch.json")["domain"] == regular);
+
+  const std::string convex = "not taken over: wachspress coordinates, which need a convex domain\n";
+  CHECK_THAT(warning(rectangle(0, -1, 1, 0)), EndsWith(convex));
+  CHECK(json_of(work, "c.patch.json")["coordinates"] == "harmonic");
+  work.run_well("mesh -q c.patch.json -o c.ply --triangles 50");
+
+  const Json vertices = {{"vertices", {{0, 0}, {2, 0}, {2, 1}, {0, 1}}}};
+  CHECK_THAT(warning(with_options(rectangle(0, -1, 2, 0), "wachspress", vertices)),
+             EndsWith("warning: not taken over: vertices of domains\n"));
+  CHECK(json_of(work, "c.patch.json")["domain"] == regular);
+  CHECK_THAT(warning(rectangle(0, -1, 2, 0, 2)),
+             EndsWith("warning: not taken over: central control points\n"));
+
+  // The inner control points of an S-patch are not in its ribbons.
+  Json s = Json::parse(head + R"("s-patch", "number_of_sides": 4, "depth": 1})");
+  s["control_points"] = {{0, -1, 0}, {2, -1, 0}, {2, 0, 0}, {0, 0, 0}};
+  CHECK_THAT(warning(s), Contains("b.patch.json: the sides of an S-patch have one layer") &&
+                             !Contains("promise"));
+  work.write("a.patch.json", rectangle(0, 0, 2, 1, 3).dump());
+  CHECK_THAT(warning(s),
+             Contains("warning: side 0 promises tangent plane continuity by its 2 layers") &&
+                 Contains("2 layers on sides"));
+}
+
+TEST_CASE("A central weight that a .cgb file cannot name and nothing tells is an error") {
+  const Scratch work("unresolved");
+  work.write("a.cgb", cgb({{0, 0}, {2, 0}, {2, 1}, {0, 1}}));
+  work.run_well("convert -q a.cgb a.patch.json");
+  Json json = json_of(work, "a.patch.json");
+  json["central_weight"] = "automatic";
+  work.write("a.patch.json", json.dump());
+  work.run_well("convert -q a.patch.json b.cgb");
+  CHECK_THAT(contents(work / "b.cgb"), StartsWith("1\n"));
+  json["corner_control_points"] = {{{"side", 1}, {"point", {1, 1, 1}}},
+                                   {{"side", 1}, {"point", {1, 1, 2}}}};
+  work.write("a.patch.json", json.dump());
+  const Result result = work.run("convert a.patch.json c.cgb");
+  CHECK(result.status == 1);
+  CHECK_THAT(result.err, Contains("c.cgb: what the automatic central weight stands for"));
+  CHECK(!fs::exists(work / "c.cgb"));
 }
 
 TEST_CASE("A central point without influence gets none in a .cgb file") {

@@ -53,13 +53,27 @@ public:
     return names;
   }
 
-  // The limit, in seconds, turns an endless loop into a failure.
-  Result run(const std::string& arguments) const {
-    const std::string command = "cd '" + (path_ / "work").string() + "' && ulimit -t 100 && '" +
-                                PROGRAM + "' " + arguments + " >../out 2>../err </dev/null";
+  // The limit, in seconds, turns an endless loop into a failure. Where `output` sends standard
+  // output somewhere else, it is not in the result; `first` is for the shell to do before.
+  Result run(const std::string& arguments, const std::string& output = ">../out",
+             const std::string& first = "") const {
+    std::ofstream(path_ / "out");
+    const std::string command = "cd '" + (path_ / "work").string() + "' && ulimit -t 100 && " +
+                                first + " '" + PROGRAM + "' " + arguments +
+                                " 2>../err </dev/null " + output;
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(path_ / "out"),
             contents(path_ / "err")};
+  }
+
+  // The same for mistakes that the command line alone shows.
+  Result run_wrongly(const std::string& arguments) const {
+    const Result result = run(arguments);
+    INFO(arguments);
+    CHECK(result.status == 2);
+    CHECK(result.out.empty());
+    CHECK(result.err.find("\nRun with --help for more information.\n") != std::string::npos);
+    return result;
   }
 
   // Runs it and expects success without complaints.

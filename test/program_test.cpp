@@ -92,12 +92,17 @@ TEST_CASE("Layers that promise more than the patch has are named, and elevation 
                           "position continuity only; it takes degree 7 on sides 3 and 5 and "
                           "4 layers on sides 0, 1, 2 and 6\n"));
   const std::string mesh = "mesh " + duct + " -o a.ply --triangles 100 --report a.json";
-  CHECK_THAT(work.run_well(mesh), Contains("\n  side 4 promises ") && Contains("--elevate"));
+  const Result poor = work.run(mesh);
+  CHECK(poor.status == 0);
+  CHECK_THAT(poor.out, !Contains("promises"));
+  CHECK_THAT(poor.err, Contains("\nmultipatch: warning: side 4 promises ") &&
+                           Contains("\nmultipatch: warning: the option --elevate of "));
+  CHECK(work.run(mesh + " -q").err.empty());
   CHECK_THAT(contents(work / "a.json"), Contains("\"order\": 0"));
   // What other sides have too few layers for stays out of reach.
-  CHECK_THAT(work.run_well(mesh + " --elevate"),
-             Contains("\n  side 4 promises continuity of order 3 by its 4 layers but gets tangent "
-                      "plane continuity only") &&
+  CHECK_THAT(work.run(mesh + " --elevate").err,
+             Contains("\nmultipatch: warning: side 4 promises continuity of order 3 by its 4 "
+                      "layers but gets tangent plane continuity only") &&
                  !Contains("--elevate"));
   CHECK_THAT(contents(work / "a.json"), Contains("\"is_disk\": true") && !Contains("\"order\": 0"));
   const std::string good = std::string("'") + MODELS_DIR + "/g2_blend.cgb'";
@@ -111,8 +116,11 @@ TEST_CASE("Domain draws every example") {
   const Scratch work("domain");
   for (const Example& example : examples()) {
     INFO(example.name);
-    CHECK_THAT(work.run_well("domain " + example.argument + " -o a.svg --side 2 --coordinate 1"),
-               StartsWith("a.svg: domain ") && Contains("clearance"));
+    const Result result =
+        work.run("domain " + example.argument + " -o a.svg --side 2 --coordinate 1");
+    CHECK(result.status == 0);
+    CHECK_THAT(result.out, StartsWith("a.svg: domain ") && Contains("clearance") && EndsWith("\n"));
+    CHECK(std::count(result.out.begin(), result.out.end(), '\n') == 1);
     CHECK_THAT(contents(work / "a.svg"), StartsWith("<svg ") && EndsWith("</svg>\n") &&
                                              Contains("<path ") && !Contains("nan") &&
                                              !Contains("inf"));
@@ -134,7 +142,7 @@ TEST_CASE("Help and version go to standard output") {
 }
 
 TEST_CASE("What goes wrong is said in two lines, and leaves no trace") {
-  constexpr int data = 1, usage = 2, any = -1;
+  constexpr int data = 1, usage = 2;
   struct Row {
     std::string arguments;
     int status;
@@ -149,63 +157,76 @@ TEST_CASE("What goes wrong is said in two lines, and leaves no trace") {
       {"mesh nan.cgb -o a.ply", data, "nan.cgb:6: "},
       {"mesh degree.cgb -o a.ply", data, "degree.cgb:7: "},
       {"mesh huge.cgb -o a.ply", data, "huge.cgb: "},
-      {"mesh old.ply -o a.ply", data,
+      {"mesh old.ply -o a.ply", usage,
        "old.ply: expected a name that ends in .cgb, .gbp or .patch.json"},
-      {"mesh . -o a.ply", data, ".: expected a file"},
-      {"mesh missing.cgb -o a.ply", data, "missing.cgb: cannot be opened"},
-      {"info missing.cgb", data, "missing.cgb: cannot be opened"},
+      {"mesh . -o a.ply", data,
+       ".: expected a file, found a directory; with --output-directory, all"},
+      {"mesh missing.cgb -o a.ply", data, "missing.cgb: cannot be opened for reading: No such"},
+      {"info missing.cgb", data, "missing.cgb: cannot be opened for reading: No such"},
       {"info n9.cgb", data, "n9.cgb:5: "},
       {"info huge.cgb", data, "huge.cgb: "},
       {"domain nan.cgb -o a.svg", data, "nan.cgb:6: "},
       {"mesh x.cgb -o no/a.ply", data, "no/a.ply: cannot be opened"},
       {"mesh x.cgb -o directory.ply", data, "directory.ply: cannot be written"},
       {"mesh x.cgb -o full.ply", data, "full.ply: cannot be written"},
-      {"mesh x.cgb -o a.foo", data, "a.foo: expected a name that ends in .ply"},
-      {"mesh x.cgb -o a", data, "a: expected a name that ends in .ply"},
+      {"mesh x.cgb -o a.foo", usage, "a.foo: expected a name that ends in .ply"},
+      {"mesh x.cgb -o a", usage, "a: expected a name that ends in .ply"},
       {"mesh x.cgb -o a.ply --report no/a.json", data, "no/a.json: cannot be opened"},
       {"mesh x.cgb -o a.ply --report directory.ply", data, "directory.ply: cannot be written"},
-      {"mesh x.cgb -o a.ply --report ./a.ply", any, "a.ply"},
-      {"mesh x.cgb -o a.ply --report x.cgb", any, "x.cgb"},
-      {"domain x.cgb -o x.cgb", any, "x.cgb"},
+      {"mesh missing.cgb -o a.ply --report ./a.ply", usage, "a.ply: cannot be written: it is the"},
+      {"mesh x.cgb -o a.ply --report x.cgb", usage, "x.cgb: cannot be written: it is the same"},
+      {"domain x.cgb -o x.cgb", usage, "x.cgb: expected a name that ends in .svg"},
+      {"domain x.svg -o x.svg", usage, "x.svg: expected a name that ends in .cgb"},
       {"domain x.cgb -o no/a.svg", data, "no/a.svg: cannot be opened"},
-      {"domain x.cgb -o a.svg --side 3", any, "--side"},
-      {"domain x.cgb -o a.svg --side -1", any, "-1"},
-      {"mesh x.cgb -o a.ply --edge-length 0", any, "not 0\n"},
-      {"mesh x.cgb -o a.ply --edge-length -1", any, "-1"},
+      {"domain x.cgb -o a.svg --side 3", data, "--side"},
+      {"domain x.cgb -o a.svg --side -1", usage, "expected a whole number from 0 to 999, not -1\n"},
+      {"mesh x.cgb -o a.ply --edge-length 0", usage, "expected a positive number, not 0\n"},
+      {"mesh x.cgb -o a.ply --edge-length -1", usage, "-1"},
       {"mesh x.cgb -o a.ply --edge-length 1e-300", data, "the limit is 100000000\n"},
-      {"mesh x.cgb -o a.ply --edge-length nan", any, "nan"},
-      {"mesh x.cgb -o a.ply --edge-length inf", any, "inf"},
+      {"mesh x.cgb -o a.ply --edge-length nan", usage, "nan"},
+      {"mesh x.cgb -o a.ply --edge-length inf", usage, "inf"},
       {"mesh x.cgb -o a.ply --edge-length long", usage, "long"},
-      {"mesh x.cgb -o a.ply --triangles 0", any, "0"},
-      {"mesh x.cgb -o a.ply --triangles -5", any, "-5"},
-      {"mesh x.cgb -o a.ply --triangles 1000000000000000000", any, "1000000000000000000"},
-      {"mesh x.cgb -o a.ply --triangles 1e3", usage, "1e3"},
+      {"mesh x.cgb -o a.ply --triangles 0", usage,
+       "expected a whole number from 1 to 100000000, not 0\n"},
+      {"mesh x.cgb -o a.ply --triangles -5", usage, "-5"},
+      {"mesh x.cgb -o a.ply --triangles 1000000000000000000", usage, "1000000000000000000"},
+      {"mesh x.cgb -o a.ply --triangles 1e3", usage,
+       "--triangles: expected a whole number from 1 to 100000000, not 1e3\n"},
+      {"mesh x.cgb -o a.ply --triangles 2.5", usage, "expected a whole number from 1 to 1"},
+      {"mesh x.cgb -o a.ply --triangles many", usage, "expected a whole number from 1 to 1"},
+      {"mesh x.cgb -o a.ply --triangle 10", usage,
+       "multipatch: the command mesh has no option --triangle; did you mean --triangles?\n"},
+      {"mesh x.cgb -o a.ply --traingles=10", usage, "--traingles; did you mean --triangles?\n"},
+      {"info x.cgb old.cgb", usage, "the command info has no place for the argument old.cgb\n"},
       {"mesh x.cgb -o a.ply --triangles 9 --edge-length 1", usage, "excludes"},
-      {"mesh x.cgb -o a.ply --chordal-deviation 0", any, "not 0\n"},
-      {"mesh x.cgb -o a.ply --chordal-deviation -1", any, "-1"},
-      {"mesh x.cgb -o a.ply --chordal-deviation nan", any, "nan"},
+      {"mesh x.cgb -o a.ply --chordal-deviation 0", usage, "not 0\n"},
+      {"mesh x.cgb -o a.ply --chordal-deviation -1", usage, "-1"},
+      {"mesh x.cgb -o a.ply --chordal-deviation nan", usage, "nan"},
       {"mesh x.cgb -o a.ply --chordal-deviation fine", usage, "fine"},
-      {"mesh x.cgb -o a.ply --normal-deviation 0", any, "not 0\n"},
-      {"mesh x.cgb -o a.ply --normal-deviation 91", any, "at most 90 degrees, not 91\n"},
-      {"mesh x.cgb -o a.ply --normal-deviation nan", any, "nan"},
+      {"mesh x.cgb -o a.ply --normal-deviation 0", usage, "not 0\n"},
+      {"mesh x.cgb -o a.ply --normal-deviation 91", usage, "at most 90, not 91\n"},
+      {"mesh x.cgb -o a.ply --normal-deviation nan", usage, "nan"},
       {"mesh x.cgb -o a.ply --chordal-deviation 1 --triangles 9", usage, "excludes"},
       {"mesh x.cgb -o a.ply --normal-deviation 1 --triangles 9", usage, "excludes"},
-      {"mesh x.cgb missing.cgb -o a.ply", data, "missing.cgb: cannot be opened"},
+      {"mesh x.cgb missing.cgb -o a.ply", data,
+       "missing.cgb: cannot be opened for reading: No such"},
       {"mesh x.cgb n9.cgb -o a.ply", data, "n9.cgb:5: "},
-      {"mesh x.cgb x.cgb -o a.ply --edge-length 1e-300", data, "x.cgb: "},
-      {"mesh old.cgb x.cgb -o x.cgb", any, "x.cgb"},
-      {"mesh old.cgb x.cgb -o a.ply --report x.cgb", any, "x.cgb: cannot be written"},
-      {"mesh x.cgb -o a.ply --clearance nan", any, "nan"},
+      {"mesh x.cgb old.cgb -o a.ply --edge-length 1e-300", data, "x.cgb: "},
+      {"mesh old.cgb x.cgb -o x.cgb", usage, "x.cgb: expected a name that"},
+      {"mesh old.cgb x.cgb -o a.ply --report x.cgb", usage, "x.cgb: cannot be written"},
+      {"mesh x.cgb -o a.ply --clearance nan", usage, "expected a number from 0 to 1, not nan\n"},
       {"mesh x.cgb -o a.ply --clearance 2", usage, "2"},
       {"mesh x.cgb -o a.ply --domain round", usage, "round"},
       {"mesh x.cgb -o a.ply --domain 2", usage, "2"},
       {"mesh x.cgb -o a.ply --coordinates polar", usage, "polar"},
       {"mesh x.cgb -o a.ply --central-weight heavy", usage, "heavy"},
-      {"mesh x.cgb -o a.ply --colour red", usage, "--colour"},
+      {"mesh x.cgb -o a.ply --colour red", usage, "no option --colour\n"},
       {"mesh x.cgb", usage, "--output"},
       {"mesh -o a.ply", usage, "INPUT"},
-      {"melt x.cgb", usage, "melt"},
-      {"", usage, "subcommand"},
+      {"melt x.cgb", usage, "multipatch: there is no command melt\n"},
+      {"mehs x.cgb -o a.ply", usage, "multipatch: there is no command mehs; did you mean mesh?\n"},
+      {"--versoin", usage, "multipatch: there is no option --versoin; did you mean --version?\n"},
+      {"", usage, "multipatch: a command is required\n"},
   };
 
   const Scratch work("errors");
@@ -229,10 +250,7 @@ TEST_CASE("What goes wrong is said in two lines, and leaves no trace") {
   for (const Row& row : rows) {
     const Result result = work.run(row.arguments);
     INFO("multipatch " << row.arguments);
-    if (row.status == any)
-      CHECK((result.status == data || result.status == usage));
-    else
-      CHECK(result.status == row.status);
+    CHECK(result.status == row.status);
     CHECK(result.out.empty());
     CHECK_THAT(result.err, Contains(row.message) && EndsWith("\n"));
     CHECK(std::count(result.err.begin(), result.err.end(), '\n') <= 2);
@@ -244,4 +262,25 @@ TEST_CASE("What goes wrong is said in two lines, and leaves no trace") {
     fs::remove(work / "a.svg");
     work.write("x.cgb", triangle());
   }
+}
+
+TEST_CASE("What does not reach standard output is an error, unless who reads it has left") {
+  const Scratch work("output");
+  work.write("x.cgb", triangle());
+  for (const std::string command : {"info x.cgb", "check x.cgb", "check x.cgb --json -",
+                                    "exact x.cgb --samples 1", "mesh x.cgb -o a.ply", "--help"}) {
+    INFO("multipatch " << command);
+    if (fs::exists("/dev/full")) {
+      const Result full = work.run(command, ">/dev/full");
+      CHECK(full.status == 1);
+      CHECK_THAT(full.err, StartsWith("multipatch: standard output: cannot be written"));
+    }
+    const Result closed = work.run(command, ">&-");
+    CHECK(closed.status == 1);
+    CHECK_THAT(closed.err, StartsWith("multipatch: standard output: cannot be written"));
+    CHECK(work.run(command, "| true").err.empty());
+    // As some programs start others.
+    CHECK(work.run(command, "| true", "trap '' PIPE;").err.empty());
+  }
+  CHECK_THAT(work.run("info x.cgb", "| head -n 1 >../out").out, StartsWith("x.cgb: 3 sides"));
 }

@@ -6,6 +6,12 @@
 #include "catch.h"
 #include "fixtures.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
 using namespace fixtures;
 using Catch::Matchers::Contains;
 using MP::Corner_type;
@@ -102,11 +108,37 @@ TEST_CASE("The message about a loop that does not close guesses what is wrong") 
   auto clockwise = good;
   std::reverse(clockwise.begin(), clockwise.end());
   CHECK_THROWS_WITH(Loop(clockwise), Contains("clockwise order"));
-  auto swapped = good;
+  auto swapped = good; // that is no clockwise order
+  std::swap(swapped[0], swapped[1]);
+  CHECK_THROWS_WITH(Loop(swapped), !Contains("clockwise") && Contains("side 0 ends") &&
+                                       Contains("as if they were swapped"));
+  auto upside_down = good;
   auto points = good[1].control_points();
   std::rotate(points.begin(), points.begin() + 4, points.end());
-  swapped[1] = Ribbon(3, 2, points);
-  CHECK_THROWS_WITH(Loop(swapped), Contains("the boundary is row 0"));
+  upside_down[1] = Ribbon(3, 2, points);
+  CHECK_THROWS_WITH(Loop(upside_down), Contains("the boundary is row 0"));
+}
+
+TEST_CASE("A control point moves with the neighbours' only where they have it in common") {
+  const Loop loop = lifted_loop(l_shape(), bowl);
+  // A corner is common to two ribbons, whatever their rows.
+  const Point_3 p(2.2, 0.1, 1);
+  const Loop pulled = loop.with_control_point(0, 3, 0, p);
+  CHECK(pulled[0].control_points() == with_point(loop[0], 3, p).control_points());
+  CHECK(pulled[1].control_points() == with_point(loop[1], 0, p).control_points());
+  for (std::size_t i = 2; i < 6; ++i)
+    CHECK(pulled[i].control_points() == loop[i].control_points());
+  CHECK(loop.with_control_point(1, 0, 0, p)[0].control_points() == pulled[0].control_points());
+  // The second rows of these ribbons end elsewhere than the curves beside them have points.
+  REQUIRE(loop[0].control_point(3, 1) != loop[1].control_point(1, 0));
+  const Loop row = loop.with_control_point(0, 3, 1, p);
+  CHECK(row[0].control_points() == with_point(loop[0], 7, p).control_points());
+  CHECK(row[1].control_points() == loop[1].control_points());
+  // Nothing happens, and nothing can.
+  CHECK(loop.with_control_point(2, 1, 1, loop[2].control_point(1, 1))[2].control_points() ==
+        loop[2].control_points());
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  CHECK_THROWS_AS(loop.with_control_point(0, 0, 0, Point_3(nan, 0, 0)), MP::Input_error);
 }
 
 TEST_CASE("A gap below the tolerance is closed exactly") {

@@ -13,6 +13,7 @@
  * \cgalHasModels{CGAL::Multisided_patches::Wachspress_coordinates_2}
  * \cgalHasModels{CGAL::Multisided_patches::Mean_value_coordinates_2}
  * \cgalHasModels{CGAL::Multisided_patches::Harmonic_coordinates_2}
+ * \cgalHasModels{CGAL::Multisided_patches::IO::Any_coordinates_2}
  * \cgalHasModelsEnd
  */
 class BarycentricCoordinates_2 {

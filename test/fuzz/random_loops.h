@@ -277,8 +277,7 @@ private:
       result_.ribbons.resize(2, r);
       break;
     case 4:
-      for (std::size_t j = 0; j <= r.degree; ++j) // the side is a point, or the loop open
-        r.at(j, 0) = p;
+      collapse(r, p);
       break;
     case 5:
       r.points.pop_back();
@@ -288,14 +287,33 @@ private:
     }
   }
 
+  // Now the side is a point, or the loop open. But if its corners nearly coincide, and the point
+  // with them, then the loop closes within the tolerance of its corners, and by that the side may
+  // become a short curve again.
+  void collapse(Raw_ribbon& r, Point_3 p) {
+    constexpr double tolerance = 1e-8; // more than that of a loop
+    const Point_3 a = r.at(0, 0), b = r.at(r.degree, 0);
+    const double far = tolerance * size_around(p);
+    result_.is_broken = p == b || distance(a, p) > far || distance(b, p) > far;
+    for (std::size_t j = 0; j <= r.degree; ++j)
+      r.at(j, 0) = p;
+  }
+
   void open_gap(Raw_ribbon& r) {
-    double size = 0;
-    for (const Raw_ribbon& other : result_.ribbons)
-      for (const Point_3& q : other.points)
-        size = (std::max)({size, std::abs(q.x() - r.points[0].x()),
-                           std::abs(q.y() - r.points[0].y()), std::abs(q.z() - r.points[0].z())});
-    const double gap = size * power_of_ten(random_, -6, 3);
+    const double gap = size_around(r.points[0]) * power_of_ten(random_, -6, 3);
     r.at(0, 0) = r.at(0, 0) + Vector_3(0, gap, 0);
+  }
+
+  // The largest difference of coordinates: squares could overflow, or vanish.
+  static double distance(const Point_3& p, const Point_3& q) {
+    return (std::max)({std::abs(q.x() - p.x()), std::abs(q.y() - p.y()), std::abs(q.z() - p.z())});
+  }
+  double size_around(const Point_3& p) const {
+    double size = 0;
+    for (const Raw_ribbon& r : result_.ribbons)
+      for (const Point_3& q : r.points)
+        size = (std::max)(size, distance(p, q));
+    return size;
   }
 
   Random& random_;

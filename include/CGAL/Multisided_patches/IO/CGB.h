@@ -9,9 +9,10 @@
 #include <CGAL/Multisided_patches/IO/internal/Token_reader.h>
 #include <CGAL/Multisided_patches/IO/internal/file_access.h>
 #include <CGAL/Multisided_patches/IO/internal/point_text.h>
+#include <CGAL/Multisided_patches/bases/Central_weight.h>
+#include <CGAL/Multisided_patches/errors.h>
 #include <CGAL/Multisided_patches/internal/to_text.h>
 #include <CGAL/Multisided_patches/patches/Concave_bezier_model_3.h>
-#include <CGAL/Multisided_patches/patches/with_resolved_central_weight.h>
 
 #include <algorithm>
 #include <array>
@@ -154,23 +155,28 @@ void check_limits(const Concave_bezier_model_3<Traits>& model) {
     throw Input_error(
         "the model does not fit the .cgb format: too many sides or layers, too high a "
         "degree, or options that are out of range");
+  if (model.central_weight == Central_weight::automatic)
+    throw Input_error("the .cgb format has no automatic central weight; name one, or write what "
+                      "with_resolved_central_weight() returns");
 }
 
 } // namespace internal
 
 /*!
  * writes a patch in `.cgb` format. Numbers have as many digits as it takes to read the same doubles
- * back. The format knows only four ways to make a domain; others are written as similarity. It has
- * no automatic central weight: what is written is `with_resolved_central_weight(model)`.
+ * back. The format knows only four ways to make a domain; others are written as similarity.
  *
- * \throws Input_error if the model exceeds `CGB_limits`, or an option is not finite or negative
+ * It has no automatic central weight, which a new model has: name a weight, or pass
+ * `with_resolved_central_weight(model)`, which computes what the automatic one stands for.
+ *
+ * \throws Input_error if the central weight is `automatic`, the model exceeds `CGB_limits`, or an
+ * option is not finite or negative
  */
 template <typename Traits>
-void write_CGB(std::ostream& out, const Concave_bezier_model_3<Traits>& given) {
+void write_CGB(std::ostream& out, const Concave_bezier_model_3<Traits>& model) {
   using Multisided_patches::internal::point_line;
   using Multisided_patches::internal::to_text;
-  internal::check_limits(given);
-  const Concave_bezier_model_3<Traits> model = with_resolved_central_weight(given);
+  internal::check_limits(model);
   const auto index_of = [](const auto& values, auto value, std::size_t otherwise) {
     const auto found = std::find(values.begin(), values.end(), value);
     return std::to_string(found == values.end() ? otherwise : found - values.begin());
@@ -192,10 +198,17 @@ void write_CGB(std::ostream& out, const Concave_bezier_model_3<Traits>& given) {
     out << std::to_string(corner.index) << ' ' << point_line(corner.point);
 }
 
-//! writes the patch that fills a loop with the default options
+/*!
+ * writes the patch that fills a loop without a central control point (`Central_weight::none`), and
+ * with the default options otherwise. A patch made from the loop chooses the weight itself, and
+ * takes another one for compact stars; `with_resolved_central_weight<Traits>(loop)` is the model
+ * that it has.
+ */
 template <typename Traits>
 void write_CGB(std::ostream& out, const Ribbon_loop_3<Traits>& loop) {
-  write_CGB(out, Concave_bezier_model_3<Traits>(loop));
+  Concave_bezier_model_3<Traits> model(loop);
+  model.central_weight = Central_weight::none;
+  write_CGB(out, model);
 }
 
 //! writes a patch to a `.cgb` file, whole or not at all. \throws Error if it cannot be written
@@ -206,10 +219,12 @@ void write_CGB(const std::string& file_name, const Concave_bezier_model_3<Traits
   file.commit();
 }
 
-//! the same for the patch that fills a loop with the default options
+//! the same for the patch that fills a loop without a central control point
 template <typename Traits>
 void write_CGB(const std::string& file_name, const Ribbon_loop_3<Traits>& loop) {
-  write_CGB(file_name, Concave_bezier_model_3<Traits>(loop));
+  Multisided_patches::internal::Atomic_file file(file_name);
+  write_CGB(file.stream(), loop);
+  file.commit();
 }
 
 } // namespace IO

@@ -25,7 +25,7 @@ namespace Multisided_patches {
 
 //! The largest weight deficiency (of 1, the sum of all weights) that `Central_weight::automatic`
 //! leaves to the ribbons. With more of it they have bumps at reflex corners: of the example models
-//! two have 0.48 and 0.49, and bumps; all others have 0.30 or less, and none.
+//! two have 0.48, and bumps; all others have 0.29 or less, and none.
 inline constexpr double max_weight_deficiency_of_ribbons = 0.4;
 
 //! The smallest weight deficiency with which `Central_weight::automatic` takes a central control
@@ -40,6 +40,10 @@ inline constexpr double min_weight_of_central_point = -0.015;
 inline constexpr double max_spread_of_deficiency = 1.5;
 
 namespace internal {
+
+// The ribbons of which the deficiency is taken, whatever those of the patch are: the limits above
+// are for these.
+inline constexpr std::size_t deficiency_degree = 3, deficiency_layers = 2;
 
 // Points of this many rows and columns in the bounding box of the domain. The deficiency varies
 // slowly; on the example models its maximum is missed by less than 0.02.
@@ -124,6 +128,16 @@ bool has_reflex_corner(const Domain& domain) {
   return false;
 }
 
+// The middle column of an even degree belongs to no corner, its weight is not divided between two
+// sides, and so leaves the deficiency negative in the middle of sides (-0.13 for degree 4).
+template <typename Loop>
+bool has_even_degree(const Loop& loop) {
+  for (std::size_t i = 0; i < loop.size(); ++i)
+    if (loop[i].degree() % 2 == 0)
+      return true;
+  return false;
+}
+
 // Whether the patch has the same contact with all ribbons as without a central control point.
 template <typename Loop>
 bool keeps_contact(const Loop& loop, Central_weight weight) {
@@ -131,6 +145,16 @@ bool keeps_contact(const Loop& loop, Central_weight weight) {
     if (contact_order(loop, i, weight) < contact_order(loop, i))
       return false;
   return true;
+}
+
+// The weight that suits the ribbons if there is to be a central control point; `none` if no contact
+// is to be given up for it.
+template <typename Loop>
+Central_weight suitable_central_weight(const Loop& loop, bool has_corner_control_points) {
+  if ((has_corner_control_points || has_even_degree(loop)) &&
+      keeps_contact(loop, Central_weight::full_product))
+    return Central_weight::full_product;
+  return has_corner_control_points ? Central_weight::none : Central_weight::weight_deficiency;
 }
 
 } // namespace internal
@@ -141,15 +165,22 @@ bool keeps_contact(const Loop& loop, Central_weight weight) {
  * What the weights of the ribbons lack to 1 in the middle of a domain, their deficiency, is spread
  * over all of them if there is no central control point. If it is large, ribbons far away get a
  * share that makes bumps at reflex corners. A central control point takes them away if it has one
- * place to be in. So the weight is `weight_deficiency`, or with extra control points at corners,
- * whose weights leave the deficiency negative in places, `full_product`, if
+ * place to be in. So there is one if
  *   - the domain has a reflex corner,
  *   - the deficiency exceeds `max_weight_deficiency_of_ribbons` somewhere,
  *   - it is nowhere below `min_weight_of_central_point`,
- *   - it has one peak, not spread more than `max_spread_of_deficiency`,
+ *   - where it is more than half of its maximum is one compact place, not spread more than
+ *     `max_spread_of_deficiency` (that is what is asked: peaks are not counted),
  *   - and no `contact_order()` gets lower;
  *
- * in all other cases it is `none`. The manual has the measurements behind this.
+ * in all other cases the weight is `none`. The manual has the measurements behind this.
+ *
+ * The deficiency is that of ribbons of degree 3 with 2 layers, so that whether there is a central
+ * control point depends on the domain alone, and elevation does not change it. Which weight it has
+ * depends on the ribbons, too: `weight_deficiency` or, where the deficiency of these is negative in
+ * places, `full_product`. It is so with extra control points at corners, and with ribbons of even
+ * degree; of the latter those with 3 layers that get the contact of these have `weight_deficiency`
+ * nevertheless, as `full_product` would lower it.
  *
  * "Somewhere" is on a lattice of 16 by 16 points in the bounding box of the domain, of which those
  * inside count. Everything but the coordinates is computed in `double`. The same input always gives
@@ -170,14 +201,12 @@ template <typename Loop, typename Coordinates>
 Central_weight automatic_central_weight(const Loop& loop, const Coordinates& coordinates,
                                         const Side_parameter_options& parameter_options = {},
                                         bool has_corner_control_points = false) {
-  std::vector<std::pair<std::size_t, std::size_t>> degrees_and_layers;
-  for (std::size_t i = 0; i < loop.size(); ++i)
-    degrees_and_layers.emplace_back(loop[i].degree(), loop[i].layers());
-  const Central_weight wanted =
-      has_corner_control_points ? Central_weight::full_product : Central_weight::weight_deficiency;
-  if (!internal::has_reflex_corner(coordinates.domain()) || !internal::keeps_contact(loop, wanted))
+  const Central_weight wanted = internal::suitable_central_weight(loop, has_corner_control_points);
+  if (!internal::has_reflex_corner(coordinates.domain()) || wanted == Central_weight::none)
     return Central_weight::none;
-  const Concave_bezier_basis ribbons(degrees_and_layers, Central_weight::none, parameter_options);
+  const Concave_bezier_basis ribbons(
+      std::vector(loop.size(), std::pair(internal::deficiency_degree, internal::deficiency_layers)),
+      Central_weight::none, parameter_options);
   const internal::Weight_deficiency deficiency = internal::weight_deficiency(ribbons, coordinates);
   const bool needs_point = deficiency.largest > max_weight_deficiency_of_ribbons;
   const bool has_place = deficiency.smallest >= min_weight_of_central_point &&

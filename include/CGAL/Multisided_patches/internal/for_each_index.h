@@ -24,6 +24,9 @@ namespace internal {
 // other; `grain` of them should take far longer than handing a block of them to a thread.
 template <typename ConcurrencyTag, typename Function>
 void for_each_index(std::size_t n, const Function& f, [[maybe_unused]] std::size_t grain = 256) {
+  static_assert(std::is_convertible_v<ConcurrencyTag, Parallel_tag> ||
+                    std::is_convertible_v<ConcurrencyTag, Sequential_tag>,
+                "a concurrency tag of CGAL is needed");
   if constexpr (std::is_convertible_v<ConcurrencyTag, Parallel_tag>) {
 #ifdef CGAL_LINKED_WITH_TBB
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, grain), [&](const auto& block) {

@@ -117,8 +117,9 @@ void find_edge_length(std::size_t target, double area, const Function& start) {
  * finite, or as `triangulate_domain()` does
  * \throws Cancelled if the visitor wants so
  *
- * Complexity: O(m log m) in practice for m triangles, and some thousands of points of the surface;
- * with deviations, 7 points for each triangle, a few times over.
+ * Complexity: O(m log m) in practice for m triangles, and some thousands and m / 24 points of the
+ * surface, at which lengths are measured; with deviations, 7 points for each triangle, a few times
+ * over.
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag, typename Patch,
           typename Visitor = Tessellation_visitor>

@@ -34,7 +34,11 @@ namespace Multisided_patches {
  * by d for depth d. Its boundary curves are the Bézier curves of the boundary of the net, whatever
  * the coordinates; so the domain may be concave if the coordinates are made for that.
  *
- * `fill_with_S_patch()` makes the net from ribbons.
+ * `fill_with_S_patch()` makes the net from ribbons, and `loop()` of its patch has them, with 2
+ * layers. A net does not hold them, and so neither does a `.patch.json` file: `loop()` of a patch
+ * made from a net alone, elevated or read from a file for instance, are its boundary curves, with
+ * one layer. Then normals on the boundary are those of the surface, and `continuity_report()` has
+ * no tangent planes to compare with. Pass the ribbons to the constructor that takes them.
  *
  * \cgalModels{MultisidedPatch_3}
  *

@@ -11,8 +11,10 @@
 #include <CGAL/Bbox_2.h>
 #include <CGAL/squared_distance_3.h>
 
+#include <cmath>
 #include <cstddef>
 #include <limits>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -76,7 +78,8 @@ bool step_closer(const Patch& patch, const typename Patch::Point_3& target,
  *
  * \return a `Point_2` for each point, in order
  *
- * \throws Input_error if no point of the lattice is inside the domain
+ * \throws Input_error if no point of the lattice is inside the domain; or, with its index, if a
+ * point is not finite or so far away that no sample has a finite squared distance
  *
  * Complexity: linear in the product of the number of points and that of samples.
  */
@@ -104,7 +107,7 @@ closest_parameters(const Patch& patch, const PointRange& points, std::size_t lat
 
   std::vector<Point_2> result;
   for (std::size_t k = 0; k < points.size(); ++k) {
-    double distance = (std::numeric_limits<double>::max)();
+    double distance = std::numeric_limits<double>::infinity();
     Point_2 uv = samples.front().first;
     for (const auto& [p, point] : samples) {
       const double at_p = CGAL::squared_distance(point, points[k]);
@@ -113,6 +116,9 @@ closest_parameters(const Patch& patch, const PointRange& points, std::size_t lat
         uv = p;
       }
     }
+    if (!std::isfinite(distance))
+      throw Input_error("point " + std::to_string(k) +
+                        " has no finite distance to the patch: it is not finite, or too far away");
     for (int step = 0; step < max_steps && internal::step_closer(patch, points[k], uv, distance);)
       ++step;
     result.push_back(uv);

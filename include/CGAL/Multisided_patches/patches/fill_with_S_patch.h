@@ -210,7 +210,9 @@ private:
  * reflex where those of the loop are
  * \param incompatible what to do with ribbons that no S-patch meets
  *
- * \return the patch; its `loop()` has the ribbons that it meets, with 2 layers
+ * \return the patch; its `loop()` has the ribbons that it meets, with 2 layers. Its `net()` does
+ * not have them: pass `loop()` on to a patch of the net when that has been elevated, or read back
+ * from a file
  *
  * \throws Input_error if a ribbon has a single layer, or does not lead inwards at its ends as its
  * neighbours do; if a corner of the loop or of the domain is straight or turns by less than 1

@@ -16,8 +16,10 @@
 
 #include <Eigen/QR>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -38,6 +40,45 @@ struct Net_fit_options {
 };
 
 namespace internal {
+
+// The rows of a linear least-squares problem, of which no more are kept at a time than twice the
+// number of unknowns: the triangular factor of a QR decomposition stands for all rows before.
+class Least_squares_rows {
+public:
+  // With three right-hand sides.
+  explicit Least_squares_rows(std::size_t unknowns)
+      : unknowns_(static_cast<Eigen::Index>(unknowns)), rows_(2 * unknowns_ + 1, unknowns_ + 3) {}
+
+  // A row of zeros, to be filled in: coefficients first, then the right-hand sides.
+  auto add_row() {
+    if (used_ == rows_.rows())
+      compress();
+    ++count_;
+    auto row = rows_.row(used_++);
+    row.setZero();
+    return row;
+  }
+
+  // Of all solutions the smallest.
+  Eigen::MatrixXd solve() const {
+    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
+    // Relative to the largest pivot; the rounding errors of more rows than are here are in them.
+    decomposition.setThreshold(std::numeric_limits<double>::epsilon() *
+                               static_cast<double>((std::max)(count_, unknowns_)));
+    decomposition.compute(rows_.topLeftCorner(used_, unknowns_));
+    return decomposition.solve(rows_.topRightCorner(used_, 3));
+  }
+
+private:
+  void compress() {
+    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(rows_.topRows(used_));
+    used_ = unknowns_; // rows further down have right-hand sides only: what no solution reaches
+    rows_.topRows(used_) = qr.matrixQR().topRows(used_).template triangularView<Eigen::Upper>();
+  }
+
+  Eigen::Index unknowns_, used_ = 0, count_ = 0;
+  Eigen::MatrixXd rows_;
+};
 
 // The least-squares system for the control points that may move.
 template <typename Traits>
@@ -63,26 +104,26 @@ public:
   template <typename WeightsAt, typename ErrorAt>
   Net solve(std::size_t number_of_points, const WeightsAt& weights_at,
             const ErrorAt& error_at) const {
-    const auto points = static_cast<Eigen::Index>(number_of_points),
-               unknowns = static_cast<Eigen::Index>(unknowns_.size());
-    Eigen::MatrixXd a = Eigen::MatrixXd::Zero(points + unknowns, unknowns);
-    Eigen::MatrixXd b = Eigen::MatrixXd::Zero(points + unknowns, 3);
-    const double point_scale = 1 / std::sqrt(static_cast<double>(points));
-    for (Eigen::Index p = 0; p < points; ++p) {
-      const auto& weights = weights_at(static_cast<std::size_t>(p));
-      for (Eigen::Index u = 0; u < unknowns; ++u)
-        a(p, u) = point_scale * weights[unknowns_[static_cast<std::size_t>(u)].index];
-      b.row(p) = point_scale * error_at(static_cast<std::size_t>(p));
+    const std::size_t unknowns = unknowns_.size();
+    Least_squares_rows rows(unknowns);
+    const double point_scale = 1 / std::sqrt(static_cast<double>(number_of_points));
+    for (std::size_t p = 0; p < number_of_points; ++p) {
+      auto row = rows.add_row();
+      const auto& weights = weights_at(p);
+      for (std::size_t u = 0; u < unknowns; ++u)
+        row[static_cast<Eigen::Index>(u)] = point_scale * weights[unknowns_[u].index];
+      row.template tail<3>() = point_scale * error_at(p);
     }
     const double net_scale = std::sqrt(smoothing_ / static_cast<double>(unknowns));
-    for (Eigen::Index u = 0; u < unknowns; ++u)
-      add_smoothing(unknowns_[static_cast<std::size_t>(u)], points + u, net_scale, a, b);
+    for (const Unknown& unknown : unknowns_)
+      add_smoothing(unknown, net_scale, rows.add_row());
     // Of all solutions the one that moves points least: what has no influence stays.
-    const Eigen::MatrixXd moves = a.completeOrthogonalDecomposition().solve(b);
+    const Eigen::MatrixXd moves = rows.solve();
     std::vector<Point_3> result = net_.control_points();
-    for (Eigen::Index u = 0; u < unknowns; ++u) {
-      Point_3& point = result[unknowns_[static_cast<std::size_t>(u)].index];
-      point = Point_3(point.x() + moves(u, 0), point.y() + moves(u, 1), point.z() + moves(u, 2));
+    for (std::size_t u = 0; u < unknowns; ++u) {
+      Point_3& point = result[unknowns_[u].index];
+      const auto move = moves.row(static_cast<Eigen::Index>(u));
+      point = Point_3(point.x() + move[0], point.y() + move[1], point.z() + move[2]);
     }
     return net_.with_control_points(std::move(result));
   }
@@ -109,13 +150,13 @@ private:
   }
 
   // The row that says that a point is the mean of its neighbours.
-  void add_smoothing(const Unknown& unknown, Eigen::Index row, double scale, Eigen::MatrixXd& a,
-                     Eigen::MatrixXd& b) const {
+  template <typename Row>
+  void add_smoothing(const Unknown& unknown, double scale, Row row) const {
     const auto add = [&](std::size_t index, double factor) {
       if (column_[index] != fixed)
-        a(row, column_[index]) += factor;
+        row[column_[index]] += factor;
       const Point_3& p = net_.control_points()[index];
-      b.row(row) -= factor * Eigen::RowVector3d(p.x(), p.y(), p.z());
+      row.template tail<3>() -= factor * Eigen::RowVector3d(p.x(), p.y(), p.z());
     };
     add(unknown.index, scale);
     for (const std::size_t neighbor : unknown.neighbors)
@@ -153,8 +194,10 @@ private:
  * \throws Input_error if the numbers differ, there are no points, or one is not finite
  * \throws Outside_domain_error if a parameter lies outside the domain
  *
- * Complexity: O((m + f) f²) for m points and f control points that may move. \pre
- * `options.fixed_layers >= 1`, and `options.smoothing` is not negative
+ * \pre `options.fixed_layers >= 1`, and `options.smoothing` is not negative
+ *
+ * Complexity: O((m + f) f²) time for m points and f control points that may move, besides m
+ * evaluations of the patch; O(f²) memory, whatever m is.
  */
 template <typename Patch, typename ParameterRange, typename PointRange>
 Generalized_bezier_net_3<typename Patch::Geom_traits>

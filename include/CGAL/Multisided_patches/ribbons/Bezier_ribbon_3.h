@@ -91,6 +91,14 @@ public:
   //! all control points, row by row
   const std::vector<Point_3>& control_points() const { return control_points_; }
 
+  //! the same ribbon with C_{j,k} at `p` (model units). \throws Input_error if `p` is not finite
+  Bezier_ribbon_3 with_control_point(std::size_t j, std::size_t k, const Point_3& p) const {
+    CGAL_precondition(j <= degree_ && k < layers_);
+    std::vector<Point_3> points(control_points_);
+    points[k * (degree_ + 1) + j] = p;
+    return Bezier_ribbon_3(degree_, layers_, std::move(points));
+  }
+
   /*!
    * the boundary curve at `s` in [0,1] (model units). The reversed ribbon gives the same point at
    * 1 - s, bit for bit if 1 - s is exact, so that two patches on one curve agree on it. Complexity:

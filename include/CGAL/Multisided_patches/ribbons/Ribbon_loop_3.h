@@ -13,6 +13,7 @@
 #include <CGAL/Multisided_patches/ribbons/internal/corner_geometry.h>
 
 #include <CGAL/Bbox_3.h>
+#include <CGAL/assertions.h>
 
 #include <cstddef>
 #include <string>
@@ -117,7 +118,47 @@ public:
         {bbox_.xmax() - bbox_.xmin(), bbox_.ymax() - bbox_.ymin(), bbox_.zmax() - bbox_.zmin()});
   }
 
+  /*!
+   * the same loop with control point C_{j,k} of ribbon `i` at `p` (model units).
+   *
+   * What the neighbours have in common with it moves along: of ribbon `next(i)` control point
+   * C_{k,d-j} for the degree d of ribbon `i`, and of ribbon `prev(i)`, with its degree e,
+   * C_{e-k,j}, where these are the same point, bit for bit. At a corner of the loop they always
+   * are. Next to corners they are where the ribbons come from a control net of odd degree or share
+   * their points in the same way, and then tangent planes that agree at corners go on to do so.
+   * Elsewhere they may not, which `corner_normal_mismatch()` tells. To move a point of one ribbon
+   * only, change that with `Bezier_ribbon_3::with_control_point()` and make a new loop.
+   *
+   * \pre `j` and `k` are in the range of ribbon `i`
+   *
+   * \throws Input_error if `p` is not finite, or there is no such loop
+   *
+   * Complexity: linear in the number of control points.
+   */
+  Ribbon_loop_3 with_control_point(std::size_t i, std::size_t j, std::size_t k,
+                                   const Point_3& p) const {
+    CGAL_precondition(i < size());
+    const Point_3 old = ribbons_[i].control_point(j, k);
+    std::vector<Ribbon> ribbons(ribbons_);
+    if (old != p)
+      move_shared_point(ribbons, i, j, k, old, p);
+    return Ribbon_loop_3(std::move(ribbons));
+  }
+
 private:
+  // Moves C_{j,k} of ribbon i, if that is the point `old`, and what the neighbours share of it.
+  // Each place is changed once, as it is not `old` any more.
+  void move_shared_point(std::vector<Ribbon>& ribbons, std::size_t i, std::size_t j, std::size_t k,
+                         const Point_3& old, const Point_3& p) const {
+    const std::size_t degree = ribbons[i].degree(), before = ribbons[prev(i)].degree();
+    if (j > degree || k >= ribbons[i].layers() || ribbons[i].control_point(j, k) != old)
+      return;
+    ribbons[i] = ribbons[i].with_control_point(j, k, p);
+    move_shared_point(ribbons, next(i), k, degree - j, old, p);
+    if (k <= before)
+      move_shared_point(ribbons, prev(i), before - k, j, old, p);
+  }
+
   void measure() {
     bbox_ = Bbox_3();
     for (const Ribbon& r : ribbons_)
@@ -140,7 +181,7 @@ private:
       throw Input_error("the loop does not close: side " + std::to_string(i) + " ends at " +
                         text(end) + ", " + internal::to_short_text(gap) +
                         " away from the start of side " + std::to_string(next(i)) + " at " +
-                        text(start) + hint(r, ribbons_[next(i)]));
+                        text(start) + hint(i));
     std::vector<Point_3> points = r.control_points();
     points[r.degree()] = start;
     ribbons_[i] = Ribbon(r.degree(), r.layers(), std::move(points));
@@ -152,14 +193,28 @@ private:
            internal::to_short_text(CGAL::to_double(p.z())) + ')';
   }
 
-  // What is likely to be wrong with two sides that do not follow each other.
-  static std::string hint(const Ribbon& side, const Ribbon& next) {
-    const Point_3 &start = side.control_point(0, 0), &end = side.control_point(side.degree(), 0);
-    const Point_3& next_end = next.control_point(next.degree(), 0);
+  const Point_3& end_point(std::size_t i) const {
+    return ribbons_[i].control_point(ribbons_[i].degree(), 0);
+  }
+
+  // Whether every side begins where the next one ends.
+  bool is_in_reverse_order() const {
+    for (std::size_t i = 0; i < size(); ++i)
+      if (corner_point(i) != end_point(next(i)))
+        return false;
+    return true;
+  }
+
+  // What is likely to be wrong with a side and the next one, which do not follow each other.
+  std::string hint(std::size_t i) const {
+    const Ribbon& next = ribbons_[this->next(i)];
+    const Point_3 &end = end_point(i), &next_end = next.control_point(next.degree(), 0);
     if (end == next_end)
       return "; the second of them seems to run the other way";
-    if (start == next_end)
+    if (is_in_reverse_order())
       return "; the sides seem to come in clockwise order";
+    if (corner_point(i) == next_end)
+      return "; the second of them ends where the first one starts, as if they were swapped";
     if (end == next.control_point(0, next.layers() - 1) && next.layers() > 1)
       return "; the second of them seems to have its rows in reverse, the boundary is row 0";
     return "; control points come row by row, the boundary first";

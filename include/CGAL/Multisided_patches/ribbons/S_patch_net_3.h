@@ -163,7 +163,9 @@ public:
   }
 
   /*!
-   * the boundary curves in order.
+   * the boundary curves in order: ribbons with one layer, which tell nothing of tangent planes. A
+   * net that was made to meet ribbons, by `fill_with_S_patch()`, does not know them; keep
+   * `S_patch_3::loop()` of that patch where they matter.
    *
    * \throws Input_error if they are no loop, because a side is a single point
    */
@@ -177,6 +179,10 @@ public:
   /*!
    * the net of depth d + 1 of the same patch, whatever its coordinates: its point with index i is
    * Σ_k i_k / (d + 1) P_{i - e_k}.
+   *
+   * It is the same surface, but a patch that is made from the net alone has `loop()` with one
+   * layer. Where the ribbons of the patch before matter, pass them on:
+   * `Patch(patch.net().elevated(), patch.loop(), patch.coordinates())`.
    *
    * \throws Input_error if that net is too large
    *

@@ -6,13 +6,13 @@
 #ifndef CGAL_MULTISIDED_PATCHES_ELEVATE_NET_H
 #define CGAL_MULTISIDED_PATCHES_ELEVATE_NET_H
 
+#include <CGAL/Multisided_patches/errors.h>
 #include <CGAL/Multisided_patches/ribbons/Generalized_bezier_net_3.h>
 #include <CGAL/Multisided_patches/ribbons/internal/degree_change.h>
 #include <CGAL/Multisided_patches/ribbons/internal/net_quads.h>
 
-#include <CGAL/assertions.h>
-
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -89,14 +89,18 @@ Generalized_bezier_net_3<Traits> reduced_by_one(const Generalized_bezier_net_3<T
  * other numbers of sides it changes between its sides and its middle. Two nets that share a
  * boundary curve get the same points along it, bit for bit.
  *
- * \throws Input_error if the degree is beyond the largest one
+ * \throws Input_error if the degree is lower than that of the net, or beyond the largest one
  *
- * Complexity: the number of degrees times that of control points. \pre `degree >= net.degree()`
+ * Complexity: the number of degrees times that of control points.
  */
 template <typename Traits>
 Generalized_bezier_net_3<Traits> elevate_net(const Generalized_bezier_net_3<Traits>& net,
                                              std::size_t degree) {
-  CGAL_precondition(degree >= net.degree());
+  if (degree < net.degree())
+    throw Input_error("a control net of degree " + std::to_string(net.degree()) +
+                      " cannot be elevated to degree " + std::to_string(degree) +
+                      "; reduce_net() lowers degrees");
+  Generalized_bezier_net_3<Traits>::number_of_control_points(net.size(), degree); // if there is one
   Generalized_bezier_net_3<Traits> result = net;
   while (result.degree() < degree)
     result = internal::elevated_by_one(result);
@@ -120,20 +124,24 @@ Generalized_bezier_net_3<Traits> elevate_net(const Generalized_bezier_net_3<Trai
  * and the rows next to them are reduced exactly as there. A middle column is the mean of what the
  * two corners say. The point of the patch in the middle of a regular domain stays.
  *
- * Complexity: the number of degrees times that of control points. \pre `1 <= degree <=
- * net.degree()`
+ * \throws Input_error if the degree is 0, or higher than that of the net
+ *
+ * Complexity: the number of degrees times that of control points.
  */
 template <typename Traits>
 Generalized_bezier_net_3<Traits> reduce_net(const Generalized_bezier_net_3<Traits>& net,
                                             std::size_t degree) {
-  CGAL_precondition(1 <= degree && degree <= net.degree());
+  if (degree < 1 || degree > net.degree())
+    throw Input_error("a control net of degree " + std::to_string(net.degree()) +
+                      " cannot be reduced to degree " + std::to_string(degree) +
+                      ", only to degrees from 1 to its own");
   Generalized_bezier_net_3<Traits> result = net;
   while (result.degree() > degree)
     result = internal::reduced_by_one(result);
   return result;
 }
 
-//! lowers the degree by one. \pre `net.degree() >= 2`
+//! lowers the degree by one. \throws Input_error if it is 1
 template <typename Traits>
 Generalized_bezier_net_3<Traits> reduce_net(const Generalized_bezier_net_3<Traits>& net) {
   return reduce_net(net, net.degree() - 1);

@@ -9,6 +9,7 @@
 #include <CGAL/Multisided_patches/errors.h>
 
 #include <cctype>
+#include <cerrno>
 #include <filesystem>
 #include <fstream>
 #include <istream>
@@ -29,13 +30,20 @@ inline std::string file_extension(const std::string& file_name) {
   return extension;
 }
 
+// ": No such file or directory", after a call of the system that has failed; nothing where streams
+// do not set errno.
+inline std::string reason_of_failure() {
+  return errno == 0 ? "" : ": " + std::generic_category().message(errno);
+}
+
 inline std::ifstream open_for_reading(const std::string& file_name) {
   std::error_code ignored;
   if (std::filesystem::is_directory(file_name, ignored))
     throw Input_error(file_name + ": expected a file, found a directory");
+  errno = 0;
   std::ifstream in(file_name, std::ios::binary);
   if (!in)
-    throw Input_error(file_name + ": cannot be opened for reading");
+    throw Input_error(file_name + ": cannot be opened for reading" + reason_of_failure());
   return in;
 }
 
@@ -68,6 +76,7 @@ public:
     replace_ = !exists || std::filesystem::is_regular_file(status);
     target_ = exists && replace_ ? std::filesystem::canonical(file_name, ignored).string() : name_;
     partial_ = replace_ ? target_ + ".part" + std::to_string(std::random_device{}()) : name_;
+    errno = 0;
     // Opening a file for reading, too, leaves what is in it: it only tells whether that may change.
     const bool may_change = !exists || !replace_ || std::fstream(target_).is_open();
     // Files are written alike whatever the global locale is.
@@ -75,7 +84,7 @@ public:
     if (may_change)
       out_.open(partial_, std::ios::binary);
     if (!out_.is_open())
-      throw Error(file_name + ": cannot be opened for writing");
+      throw Error(file_name + ": cannot be opened for writing" + reason_of_failure());
     if (exists && replace_)
       std::filesystem::permissions(partial_, status.permissions(), ignored);
   }

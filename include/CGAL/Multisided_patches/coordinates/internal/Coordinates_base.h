@@ -8,8 +8,7 @@
 
 #include <CGAL/Multisided_patches/Jet_2.h>
 #include <CGAL/Multisided_patches/domains/Polygonal_domain_2.h>
-
-#include <CGAL/assertions.h>
+#include <CGAL/Multisided_patches/errors.h>
 
 #include <boost/container/small_vector.hpp>
 
@@ -48,7 +47,8 @@ public:
   template <int Order, typename Real>
   void evaluate(const Real& u, const Real& v, const Domain_location<Real>& location,
                 Jet_2<Real, Order>* lambda) const {
-    CGAL_precondition(location.kind != Domain_location<Real>::Kind::outside);
+    if (location.kind == Domain_location<Real>::Kind::outside)
+      throw Outside_domain_error("coordinates are not defined outside the domain");
     if (Order > 0 || !location.is_on_boundary())
       static_cast<const Derived&>(*this).template evaluate_formula<Order>(u, v, location, lambda);
     if (location.is_on_boundary())

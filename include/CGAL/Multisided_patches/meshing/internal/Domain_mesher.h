@@ -16,6 +16,8 @@
 #include <CGAL/Multisided_patches/meshing/internal/Metric_refiner.h>
 #include <CGAL/Multisided_patches/meshing/internal/refine_where_needed.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -126,22 +128,29 @@ public:
     mesh_.locations.resize(mesh_.points.size(), Location::interior());
   }
 
-  void keep_off_sides(double share_of_length) { refiner_->keep_off_sides(share_of_length); }
+  // pre: edges have not been halved
+  void keep_off_sides(double share_of_length) {
+    CGAL_precondition(refiner_.has_value());
+    refiner_->keep_off_sides(share_of_length);
+  }
   void smooth(int sweeps) {
     if (sweeps > 0 && !triangulation_)
       start_with(triangles_);
     if (sweeps > 0)
       refiner_->smooth(sweeps);
   }
-  // Divides triangles, given by their numbers in triangles().
+  // Divides triangles, given by their numbers in triangles(). pre: edges have not been halved
   void divide(const std::vector<std::size_t>& triangles) {
+    CGAL_precondition(refiner_.has_value());
     refiner_->divide(triangles);
     mesh_.locations.resize(mesh_.points.size(), Location::interior());
   }
 
   // Without triangles.
   const Mesh& mesh() const { return mesh_; }
-  std::vector<Linked_triangle> triangles() const { return triangulation_->triangles(); }
+  std::vector<Linked_triangle> triangles() const {
+    return triangulation_ ? triangulation_->triangles() : triangles_;
+  }
 
   // The finished mesh. Ends the use of this object.
   Mesh finish() {

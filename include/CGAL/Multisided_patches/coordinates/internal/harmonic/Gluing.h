@@ -57,16 +57,17 @@ public:
     if (!(rounding_ < 0.1 * accuracy))
       rounding_ = measure_rounding();
     const bool needs_refinement = !(rounding_ < 0.1 * accuracy);
-    if (needs_refinement)
-      rounding_ = 0;
+    std::vector<double> left(blocking.size());
     for_each_index<ConcurrencyTag>(
         blocking.size(),
         [&](std::size_t k) {
           if (k > 0)
             x[k] = right_hand_sides(blocking, k);
-          solve_block(blocking, k, needs_refinement, accuracy, x[k]);
+          left[k] = solve_block(blocking, k, needs_refinement, accuracy, x[k]);
         },
         1);
+    if (needs_refinement)
+      rounding_ = *std::max_element(left.begin(), left.end());
     std::vector<Cell_coefficients> result(sizes_.size());
     for (std::size_t k = 0; k < blocking.size(); ++k)
       for (std::size_t c = 0; c < sizes_.size(); ++c)
@@ -241,9 +242,10 @@ private:
     return largest;
   }
 
-  // replaces the right-hand sides of a block, for the first block its solution, by coefficients
-  void solve_block(const Vertex_blocking& blocking, std::size_t block, bool needs_refinement,
-                   double accuracy, std::vector<Matrix>& x) const {
+  // replaces the right-hand sides of a block, for the first block its solution, by coefficients;
+  // returns what refinement has left to do, or 0 if there was none
+  double solve_block(const Vertex_blocking& blocking, std::size_t block, bool needs_refinement,
+                     double accuracy, std::vector<Matrix>& x) const {
     const double negligible = 1e-3 * accuracy;
     if (block > 0)
       factorization_.solve_in_place(x, negligible);
@@ -251,19 +253,21 @@ private:
       for (Matrix& m : x)
         if (m.size() > 0 && m.cwiseAbs().maxCoeff() <= negligible)
           m.resize(0, 0);
-    if (needs_refinement)
-      refine(blocking, block, accuracy, x);
+    const double left = needs_refinement ? refine(blocking, block, accuracy, x) : 0;
     for (std::size_t c = 0; c < sizes_.size(); ++c)
       if (x[c].size() > 0)
         solve_upper(triangular_[c], x[c]);
+    return left;
   }
 
-  // improves a solution as far as rounding permits, or `accuracy` asks for
-  void refine(const Vertex_blocking& blocking, std::size_t block, double accuracy,
-              std::vector<Matrix>& x) const {
-    double previous = std::numeric_limits<double>::infinity();
+  // improves a solution as far as rounding permits, or `accuracy` asks for, and returns about how
+  // much further improvement would change it
+  double refine(const Vertex_blocking& blocking, std::size_t block, double accuracy,
+                std::vector<Matrix>& x) const {
     constexpr int max_passes = 6; // one suffices in general
-    for (int pass = 0; pass < max_passes; ++pass) {
+    // Updates decrease by a constant factor, the first of which was from 1.
+    double previous = 1, left = 1;
+    for (int pass = 0; pass < max_passes && !(left < 0.01 * accuracy); ++pass) {
       std::vector<Matrix> r = residual(
           [&](std::size_t f) { return right_hand_side(equations_[f], blocking, block); }, x);
       factorization_.solve_in_place(r);
@@ -271,16 +275,15 @@ private:
       for (const Matrix& m : r)
         if (m.size() > 0)
           update = (std::max)(update, m.cwiseAbs().maxCoeff());
-      if (!(update < 0.5 * previous)) // rounding; adding more would not help
-        break;
+      if (!(pass == 0 || update < 0.5 * previous)) // rounding; adding more would not help
+        return 2 * update;
       for (std::size_t c = 0; c < x.size(); ++c)
         if (x[c].size() > 0 && r[c].size() > 0)
           x[c] += r[c];
-      // Updates decrease by a constant factor, the first of which was from 1.
-      if (update * (std::min)(1., update / (pass == 0 ? 1 : previous)) < 0.01 * accuracy)
-        break;
+      left = update * (std::min)(1., update / previous);
       previous = update;
     }
+    return left;
   }
 
   const std::vector<Interface>& interfaces_;
