@@ -20,6 +20,7 @@
 #include <exception>
 #include <istream>
 #include <map>
+#include <sstream>
 #include <utility>
 
 namespace multipatch {
@@ -54,12 +55,32 @@ bool read(std::istream& in, Mesh_format format, Soup& soup) {
   return false;
 }
 
+// CGAL believes any number of elements that the header of a .ply file tells. Each takes a byte at
+// least.
+void check_ply_header(const std::string& file_name) {
+  std::ifstream in = MP::internal::open_for_reading(file_name);
+  in.seekg(0, std::ios::end);
+  const double size = static_cast<double>(in.tellg());
+  in.seekg(0);
+  for (std::string line; std::getline(in, line) && line.rfind("end_header", 0) != 0;) {
+    std::istringstream words(line);
+    std::string keyword, name;
+    double count = 0;
+    if (words >> keyword >> name >> count && keyword == "element" && !(count <= size))
+      throw MP::Input_error(file_name + ": the header tells of more elements '" + name +
+                            "' than the file has bytes");
+  }
+}
+
 Soup read_soup(const std::string& file_name) {
   Soup soup;
+  const Mesh_format format = MP::IO::mesh_format(file_name);
+  if (format == Mesh_format::PLY)
+    check_ply_header(file_name);
   std::ifstream in = MP::internal::open_for_reading(file_name);
   bool is_read = false;
   try {
-    is_read = read(in, MP::IO::mesh_format(file_name), soup);
+    is_read = read(in, format, soup);
   } catch (const std::exception&) { // sizes beyond all bounds, numbers out of range
   }
   if (!is_read)

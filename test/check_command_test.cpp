@@ -219,7 +219,7 @@ TEST_CASE("Check finds what is wrong with a mesh") {
       {"index.off", "index.off: "},
       {"cut.off", "cut.off: cannot be read"},
       {"nan.off", "nan.off: "},
-      {"junk.ply", "junk.ply: "},
+      {"junk.ply", "tells of more elements 'vertex' than the file has bytes\n"},
       {"junk.stl", "junk.stl: "},
       {"inverted.off", "the mesh has 1 inverted triangle\n"},
       {"crossing.off", "the mesh has 1 self-intersection\n"}};
