@@ -6,7 +6,10 @@
 #include "catch.h"
 #include "harmonic_fixtures.h"
 
+#include <cmath>
 #include <iterator>
+#include <limits>
+#include <vector>
 
 using namespace fixtures;
 
@@ -215,4 +218,25 @@ TEST_CASE("The output iterator gets one value a vertex, and points outside are r
   h({0.5, 0.5}, std::back_inserter(values));
   CHECK(values.size() == 7);
   CHECK_THROWS_AS(h({1.5, 1.5}, std::back_inserter(values)), MP::Outside_domain_error);
+}
+
+TEST_CASE("Errors that nothing can have are refused", "[harmonic]") {
+  const Domain domain(l_shape());
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  for (const double bad : {0.0, -1.0, infinity, std::nan("")})
+    CHECK_THROWS_AS(Harmonic_coordinates_2(domain, bad), MP::Input_error);
+  for (const double bad : {-1.0, infinity, std::nan("")})
+    CHECK_THROWS_AS(Harmonic_coordinates_2(domain, 1e-8, bad), MP::Input_error);
+}
+
+TEST_CASE("Nothing is evaluated at locations outside the domain", "[harmonic]") {
+  const Domain domain(l_shape());
+  const Harmonic_coordinates_2 coordinates(domain);
+  const Point_2 p(100, 100);
+  std::vector<MP::Jet_2<double, 1>> jets(domain.size());
+  CHECK_THROWS_AS(coordinates.evaluate<1>(p, domain.locate(p), jets.data()),
+                  MP::Outside_domain_error);
+  const std::vector<Point_2> points{domain.vertex(0), p};
+  const std::vector<Domain::Location> locations{domain.locate(points[0]), domain.locate(p)};
+  CHECK_THROWS_AS(coordinates.evaluate_batch<0>(points, locations), MP::Outside_domain_error);
 }
