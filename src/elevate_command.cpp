@@ -140,8 +140,6 @@ void print_summary(const std::string& output, const Any_model& model) {
 } // namespace
 
 void elevate_command(const Elevate_options& options) {
-  if (!options.degree && !options.layers)
-    throw MP::Input_error("--degree or --layers is required");
   check_model_output(options.output, {options.input});
   const Any_model model = read_model_file(options.input);
   if (fitted(model, options.output).index() != model.index())
