@@ -84,9 +84,9 @@ Domain_mesh halved_mesh(const Domain& domain, const Side_parameters& sides, cons
 // -------------------------------------------------------------------------------------- regions
 
 // Two triangles in each square of a grid of n x n.
-std::vector<Linked_triangle> grid(std::size_t n) {
+Linked_triangles grid(std::size_t n) {
   const auto vertex = [&](std::size_t i, std::size_t j) { return j * (n + 1) + i; };
-  std::vector<Linked_triangle> mesh;
+  Linked_triangles mesh;
   constexpr std::size_t none = Linked_triangle::none;
   for (std::size_t j = 0; j < n; ++j)
     for (std::size_t i = 0; i < n; ++i) {
@@ -99,7 +99,7 @@ std::vector<Linked_triangle> grid(std::size_t n) {
   return mesh;
 }
 
-bool is_linked_well(const std::vector<Linked_triangle>& mesh) {
+bool is_linked_well(const Linked_triangles& mesh) {
   for (std::size_t t = 0; t < mesh.size(); ++t)
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t n = mesh[t].neighbors[i];
@@ -116,8 +116,7 @@ bool is_linked_well(const std::vector<Linked_triangle>& mesh) {
 }
 
 // How many triangles `rings` rings around some triangles have, by definition.
-std::size_t count_with_rings(const std::vector<Linked_triangle>& mesh, std::vector<char> is_inside,
-                             int rings) {
+std::size_t count_with_rings(const Linked_triangles& mesh, std::vector<char> is_inside, int rings) {
   for (int ring = 0; ring < rings; ++ring) {
     std::set<std::size_t> vertices;
     for (std::size_t t = 0; t < mesh.size(); ++t)
@@ -178,7 +177,7 @@ TEST_CASE("Halving gives the same mesh, bit for bit, in parallel") {
 
 TEST_CASE("A region has the triangles around those that are chosen, ring by ring") {
   constexpr std::size_t n = 9;
-  const std::vector<Linked_triangle> mesh = grid(n);
+  const Linked_triangles mesh = grid(n);
   REQUIRE(is_linked_well(mesh));
   for (const std::size_t chosen : {std::size_t(0), std::size_t(2 * n - 1), n * n - 1, n * n})
     for (int rings = 0; rings <= 3; ++rings) {
@@ -193,7 +192,7 @@ TEST_CASE("A region has the triangles around those that are chosen, ring by ring
 
 TEST_CASE("Where the border of a region would pass through a point twice, the region is larger") {
   constexpr std::size_t n = 4;
-  const std::vector<Linked_triangle> mesh = grid(n);
+  const Linked_triangles mesh = grid(n);
   // The lower triangle of square (0,0) and the upper one of square (1,1) meet at a point only.
   std::vector<char> is_chosen(mesh.size(), false);
   is_chosen[0] = is_chosen[2 * (n + 1) + 1] = true;
@@ -211,12 +210,12 @@ TEST_CASE("Where the border of a region would pass through a point twice, the re
 
 TEST_CASE("A region that is put back as it was leaves the mesh as it was") {
   constexpr std::size_t n = 6;
-  std::vector<Linked_triangle> mesh = grid(n);
-  const std::vector<Linked_triangle> before = mesh;
+  Linked_triangles mesh = grid(n);
+  const Linked_triangles before = mesh;
   std::vector<char> is_chosen(mesh.size(), false);
   is_chosen[n * n] = true;
   Mesh_region region(mesh, (n + 1) * (n + 1), is_chosen, 1);
-  std::vector<Linked_triangle> triangles;
+  Linked_triangles triangles;
   for (Linked_triangle t : region.triangles()) // with their corners turned
     triangles.push_back({{t.vertices[1], t.vertices[2], t.vertices[0]},
                          {t.neighbors[1], t.neighbors[2], t.neighbors[0]}});

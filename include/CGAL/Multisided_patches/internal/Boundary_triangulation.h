@@ -60,8 +60,7 @@ public:
 
   // Takes over the triangles of a domain, which need not be Delaunay. What is outside is not
   // triangulated: the boundary is that of one infinite face for each of its edges.
-  Boundary_triangulation(const std::vector<Point_2>& points,
-                         const std::vector<Linked_triangle>& triangles) {
+  Boundary_triangulation(const std::vector<Point_2>& points, const Linked_triangles& triangles) {
     auto& tds = triangulation_.tds();
     tds.clear();
     tds.set_dimension(2);
@@ -90,12 +89,12 @@ public:
   static bool is_inside(Face_handle f) { return f->info() != none; }
 
   // The triangles of the domain. Numbers their faces.
-  std::vector<Linked_triangle> triangles() const {
+  Linked_triangles triangles() const {
     std::size_t count = 0;
     for (const Face_handle f : triangulation_.finite_face_handles())
       if (is_inside(f))
         f->info() = count++;
-    std::vector<Linked_triangle> result;
+    Linked_triangles result;
     result.reserve(count);
     for (const Face_handle f : triangulation_.finite_face_handles())
       if (is_inside(f))

@@ -6,21 +6,31 @@
 #ifndef CGAL_MULTISIDED_PATCHES_INTERNAL_LINKED_TRIANGLE_H
 #define CGAL_MULTISIDED_PATCHES_INTERNAL_LINKED_TRIANGLE_H
 
+#include <boost/container/vector.hpp>
+
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 
 namespace CGAL {
 namespace Multisided_patches {
 namespace internal {
 
-// A triangle of an indexed mesh that knows its neighbours.
+// A triangle of an indexed mesh that knows its neighbours. Indices are small, as first touching the
+// memory of large meshes takes as long as much of what is done with it.
 struct Linked_triangle {
-  static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
+  using Index = std::uint32_t;
+  using Indices = std::array<Index, 3>;
 
-  std::array<std::size_t, 3> vertices;  // indices of points, counterclockwise
-  std::array<std::size_t, 3> neighbors; // opposite to the vertices; none across the boundary
+  static constexpr std::size_t none = (std::numeric_limits<Index>::max)();
+
+  Indices vertices;  // of points, counterclockwise
+  Indices neighbors; // of triangles, opposite to the vertices; none across the boundary
 };
+
+// Elements can be left for threads to fill: `boost::container::default_init`.
+using Linked_triangles = boost::container::vector<Linked_triangle>;
 
 } // namespace internal
 } // namespace Multisided_patches

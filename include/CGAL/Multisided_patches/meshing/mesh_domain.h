@@ -63,15 +63,20 @@ auto find_share_of_turn(const Mesh_density& density, const Function& mesh) {
 }
 
 // Calls start(edge_length), which returns a number of triangles, until that is the target up to a
-// tolerance that the counts of small meshes scatter more than; the last call is the best one.
+// tolerance that the counts of small meshes scatter more than; the last call is the best one. Of
+// the surface, its area and the length of its boundary (model units) tell where to begin.
 template <typename Function>
-void find_edge_length(std::size_t target, double area, const Function& start) {
+void find_edge_length(std::size_t target, double area, double boundary_length,
+                      const Function& start) {
   constexpr int max_rounds = 6;
   constexpr double tolerance = 0.025;
   // Of equilateral triangles, with edges of the length asked for; measured on many patches.
   constexpr double mean_triangle_area = 0.87;
   const double wanted = static_cast<double>(target);
-  double length = std::sqrt(area / (mean_triangle_area * wanted) * 4 / std::sqrt(3.0));
+  // A disk has at most two edges more on its boundary than triangles. Where a surface has hardly
+  // any area, what that asks for would be millions.
+  double length = (std::max)(std::sqrt(area / (mean_triangle_area * wanted) * 4 / std::sqrt(3.0)),
+                             boundary_length / (wanted + 2));
   double best_length = length, best_error = std::numeric_limits<double>::infinity();
   for (int round = 0; round < max_rounds; ++round) {
     const double count = static_cast<double>(start(length));
@@ -135,7 +140,8 @@ mesh_domain(const Patch& patch, const Mesh_density& density, Visitor&& visitor =
     return mesher.start(internal::sample_sides(patch, length), length);
   };
   if (density.target_triangles()) {
-    internal::find_edge_length(*density.target_triangles(), mesher.area(), start);
+    internal::find_edge_length(*density.target_triangles(), mesher.area(), mesher.boundary_length(),
+                               start);
     return mesher.finish(internal::Keep::number_of_triangles);
   }
   start(*density.target_edge_length());

@@ -6,11 +6,13 @@
 #ifndef CGAL_MULTISIDED_PATCHES_TESSELLATE_H
 #define CGAL_MULTISIDED_PATCHES_TESSELLATE_H
 
+#include <CGAL/Multisided_patches/internal/run_both.h>
 #include <CGAL/Multisided_patches/meshing/Domain_mesh_2.h>
 #include <CGAL/Multisided_patches/meshing/Mesh_density.h>
 #include <CGAL/Multisided_patches/meshing/Mesh_maps.h>
 #include <CGAL/Multisided_patches/meshing/Tessellation_visitor.h>
 #include <CGAL/Multisided_patches/meshing/internal/Mesh_builder.h>
+#include <CGAL/Multisided_patches/meshing/internal/Mesh_topology.h>
 #include <CGAL/Multisided_patches/meshing/internal/default_maps.h>
 #include <CGAL/Multisided_patches/meshing/mesh_domain.h>
 
@@ -18,6 +20,7 @@
 
 #include <cstddef>
 #include <numeric>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -52,17 +55,22 @@ template <typename ConcurrencyTag = Parallel_if_available_tag, typename Patch, t
           typename Maps = Default_maps, typename Visitor = Tessellation_visitor>
 void tessellate(const Patch& patch, const Domain_mesh_2<typename Patch::Geom_traits>& domain_mesh,
                 FaceGraph& mesh, const Maps& maps = Maps(), Visitor&& visitor = Visitor()) {
-  std::vector<internal::Patch_mesh<Patch>> patch_mesh{
-      internal::evaluate_vertices<ConcurrencyTag>(patch, domain_mesh, visitor)};
-  internal::fill_missing_normals(patch_mesh.front());
   const std::size_t n = domain_mesh.points.size();
+  std::vector<std::vector<std::size_t>> numbers{std::vector<std::size_t>(n)};
+  std::iota(numbers[0].begin(), numbers[0].end(), std::size_t(0));
+  std::optional<internal::Mesh_topology> topology;
+  std::vector<internal::Patch_mesh<Patch>> patch_mesh(1);
+  internal::run_both<ConcurrencyTag>(
+      [&] { topology.emplace(std::vector{&domain_mesh}, std::move(numbers), ConcurrencyTag()); },
+      [&] {
+        patch_mesh[0] = internal::evaluate_vertices<ConcurrencyTag>(patch, domain_mesh, visitor);
+        internal::fill_missing_normals(patch_mesh[0]);
+      });
   internal::report_progress(visitor, Tessellation_stage::assembly, 0, n);
   const auto all_maps = internal::maps_or_default<Patch>(maps, mesh);
-  std::vector<std::size_t> numbers(n);
-  std::iota(numbers.begin(), numbers.end(), std::size_t(0));
-  internal::Mesh_builder<ConcurrencyTag, FaceGraph, std::decay_t<decltype(all_maps)>>(mesh,
-                                                                                      all_maps)
-      .add(patch_mesh, {std::move(numbers)});
+  internal::Mesh_builder<ConcurrencyTag, FaceGraph, std::decay_t<decltype(all_maps)>>(
+      mesh, all_maps, *topology)
+      .add(patch_mesh);
 }
 
 /*!

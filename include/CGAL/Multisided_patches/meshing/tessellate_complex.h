@@ -49,9 +49,9 @@ void tessellate(const Patch_complex<Patch>& complex, FaceGraph& mesh, const Mesh
   mesher.run(density);
   internal::report_progress(visitor, Tessellation_stage::assembly, 0, mesher.number_of_vertices());
   const auto all_maps = internal::maps_or_default_of_complex<Patch>(maps, mesh);
-  internal::Mesh_builder<ConcurrencyTag, FaceGraph, std::decay_t<decltype(all_maps)>>(mesh,
-                                                                                      all_maps)
-      .add(mesher.meshes(), mesher.vertex_numbers());
+  internal::Mesh_builder<ConcurrencyTag, FaceGraph, std::decay_t<decltype(all_maps)>>(
+      mesh, all_maps, mesher.topology())
+      .add(mesher.meshes());
 }
 
 } // namespace Multisided_patches

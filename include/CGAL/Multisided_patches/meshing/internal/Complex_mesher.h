@@ -8,9 +8,11 @@
 
 #include <CGAL/Multisided_patches/errors.h>
 #include <CGAL/Multisided_patches/internal/for_each_index.h>
+#include <CGAL/Multisided_patches/internal/run_both.h>
 #include <CGAL/Multisided_patches/internal/vector_utils.h>
 #include <CGAL/Multisided_patches/meshing/Mesh_density.h>
 #include <CGAL/Multisided_patches/meshing/Patch_complex.h>
+#include <CGAL/Multisided_patches/meshing/internal/Mesh_topology.h>
 #include <CGAL/Multisided_patches/meshing/internal/Patch_mesh.h>
 #include <CGAL/Multisided_patches/meshing/internal/Surface_mesher.h>
 #include <CGAL/Multisided_patches/meshing/internal/split_chords.h>
@@ -88,7 +90,7 @@ public:
 
   void run(const Mesh_density& density) {
     if (size() == 0)
-      return;
+      return make_topology();
     if (density.max_chordal_deviation() || density.max_normal_deviation())
       find_share_of_turn(density, [&](double share) { mesh_domains(density, share); });
     else
@@ -101,11 +103,7 @@ public:
       throw Input_error(complex_.names()[*torn] +
                         ": the triangles are too large for the sides that this patch shares with "
                         "others, or with itself; ask for shorter edges");
-    for_each_patch([&](std::size_t k) {
-      meshes_[k] =
-          evaluate_vertices<ConcurrencyTag>(complex_.patches()[k], domain_meshes_[k], visitor_);
-      fill_missing_normals(meshes_[k]);
-    });
+    run_both<ConcurrencyTag>([&] { make_topology(); }, [&] { evaluate(); });
     average_normals();
   }
 
@@ -118,25 +116,7 @@ public:
 
   const std::vector<Patch_mesh<Patch>>& meshes() const { return meshes_; }
 
-  // For each patch the numbers of its vertices, of which those that patches have in common are the
-  // same. A patch has numbers of the patches before it or the next ones.
-  std::vector<std::vector<std::size_t>> vertex_numbers() const {
-    constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
-    std::vector<std::size_t> numbers_of_groups(number_of_groups_, none);
-    std::vector<std::vector<std::size_t>> numbers(size());
-    std::size_t next = 0;
-    for (std::size_t k = 0; k < size(); ++k) {
-      for (const std::size_t group : groups_[k]) {
-        std::size_t& number = numbers_of_groups[group];
-        if (number == none)
-          number = next++;
-        numbers[k].push_back(number);
-      }
-      while (numbers[k].size() < domain_meshes_[k].points.size())
-        numbers[k].push_back(next++);
-    }
-    return numbers;
-  }
+  const Mesh_topology& topology() const { return *topology_; }
 
 private:
   using Mesher = Surface_mesher<Patch, ConcurrencyTag, Shared_visitor<Visitor>>;
@@ -172,10 +152,12 @@ private:
 
   void mesh_domains_with_edge_length(const Mesh_density& density) {
     if (density.target_triangles()) {
-      double area = 0;
-      for (const auto& mesher : meshers_)
+      double area = 0, boundary_length = 0; // sides that patches share have edges of both
+      for (const auto& mesher : meshers_) {
         area += mesher->area();
-      find_edge_length(*density.target_triangles(), area,
+        boundary_length += mesher->boundary_length();
+      }
+      find_edge_length(*density.target_triangles(), area, boundary_length,
                        [&](double length) { return start(length); });
     } else {
       start(*density.target_edge_length());
@@ -191,6 +173,14 @@ private:
     std::vector<std::size_t> counts(size());
     for_each_patch([&](std::size_t k) { counts[k] = meshers_[k]->start(sides[k], edge_length); });
     return std::accumulate(counts.begin(), counts.end(), std::size_t(0));
+  }
+
+  void evaluate() {
+    for_each_patch([&](std::size_t k) {
+      meshes_[k] =
+          evaluate_vertices<ConcurrencyTag>(complex_.patches()[k], domain_meshes_[k], visitor_);
+      fill_missing_normals(meshes_[k]);
+    });
   }
 
   // A shared side has the samples of the first patch.
@@ -247,6 +237,33 @@ private:
     return vertices;
   }
 
+  // For each patch the numbers of its vertices, of which those that patches have in common are the
+  // same. A patch has numbers of the patches before it or the next ones.
+  std::vector<std::vector<std::size_t>> vertex_numbers() const {
+    constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
+    std::vector<std::size_t> numbers_of_groups(number_of_groups_, none);
+    std::vector<std::vector<std::size_t>> numbers(size());
+    std::size_t next = 0;
+    for (std::size_t k = 0; k < size(); ++k) {
+      for (const std::size_t group : groups_[k]) {
+        std::size_t& number = numbers_of_groups[group];
+        if (number == none)
+          number = next++;
+        numbers[k].push_back(number);
+      }
+      while (numbers[k].size() < domain_meshes_[k].points.size())
+        numbers[k].push_back(next++);
+    }
+    return numbers;
+  }
+
+  void make_topology() {
+    std::vector<const Domain_mesh_2<Traits>*> meshes;
+    for (const auto& mesh : domain_meshes_)
+      meshes.push_back(&mesh);
+    topology_.emplace(meshes, vertex_numbers(), ConcurrencyTag());
+  }
+
   // A common vertex has the mean of the normals.
   void average_normals() {
     using FT = typename Traits::FT;
@@ -274,6 +291,7 @@ private:
   std::vector<Patch_mesh<Patch>> meshes_;
   std::vector<std::vector<std::size_t>> groups_;
   std::size_t number_of_groups_ = 0;
+  std::optional<Mesh_topology> topology_;
 };
 
 } // namespace internal

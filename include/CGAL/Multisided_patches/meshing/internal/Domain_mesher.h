@@ -10,6 +10,7 @@
 #include <CGAL/Multisided_patches/internal/Boundary_triangulation.h>
 #include <CGAL/Multisided_patches/internal/Linked_triangle.h>
 #include <CGAL/Multisided_patches/internal/for_each_index.h>
+#include <CGAL/Multisided_patches/internal/run_both.h>
 #include <CGAL/Multisided_patches/internal/to_text.h>
 #include <CGAL/Multisided_patches/meshing/Domain_mesh_2.h>
 #include <CGAL/Multisided_patches/meshing/internal/Edge_halver.h>
@@ -92,7 +93,7 @@ public:
   template <typename Progress>
   void refine(std::size_t max_points, const Progress& progress) {
     refiner_->refine(max_points, progress);
-    mesh_.locations.resize(mesh_.points.size(), Location::interior());
+    set_locations();
   }
 
   // About how many triangles there will be once edges have been halved.
@@ -114,10 +115,14 @@ public:
                    Keep keep) {
     if (halvings_ == 0)
       return;
-    check_all_samples();
-    if (halvings_ >= 2)
-      adapt_coarse_mesh(max_points, progress, remeasure, keep);
-    refiner_->smooth(coarse_sweeps);
+    // Not all samples may be such that they can be triangulated: a coarse mesh is without some.
+    const std::vector<Point_2> samples = boundary_points();
+    run_both<ConcurrencyTag>([&] { Boundary_triangulation<Traits>(samples, all_next_points()); },
+                             [&] {
+                               if (halvings_ >= 2)
+                                 adapt_coarse_mesh(max_points, progress, remeasure, keep);
+                               refiner_->smooth(coarse_sweeps);
+                             });
     if (!try_to_halve_edges(max_points, progress, remeasure, keep)) {
       // Then the points inside are looked for one by one.
       mesh_.points.resize(mesh_.number_of_boundary_points);
@@ -125,7 +130,6 @@ public:
       start_with(all_next_points());
       refiner_->refine(max_points, progress);
     }
-    mesh_.locations.resize(mesh_.points.size(), Location::interior());
   }
 
   // pre: edges have not been halved
@@ -143,12 +147,12 @@ public:
   void divide(const std::vector<std::size_t>& triangles) {
     CGAL_precondition(refiner_.has_value());
     refiner_->divide(triangles);
-    mesh_.locations.resize(mesh_.points.size(), Location::interior());
+    set_locations();
   }
 
   // Without triangles.
   const Mesh& mesh() const { return mesh_; }
-  std::vector<Linked_triangle> triangles() const {
+  Linked_triangles triangles() const {
     return triangulation_ ? triangulation_->triangles() : triangles_;
   }
 
@@ -158,22 +162,25 @@ public:
       triangles_ = triangulation_->triangles();
       triangulation_.reset();
     }
-    mesh_.triangles.resize(triangles_.size());
-    for_each_index<ConcurrencyTag>(
-        triangles_.size(), [&](std::size_t t) { mesh_.triangles[t] = triangles_[t].vertices; });
+    run_both<ConcurrencyTag>(
+        [&] { set_locations(); },
+        [&] {
+          mesh_.triangles.reserve(triangles_.size());
+          for (const Linked_triangle& t : triangles_)
+            mesh_.triangles.push_back({t.vertices[0], t.vertices[1], t.vertices[2]});
+        });
     return std::move(mesh_);
   }
 
 private:
   static constexpr int coarse_sweeps = 2;
 
-  // Throws Numerical_error, as start_with() does, if not all samples can be triangulated: a coarse
-  // mesh is without some of them.
-  void check_all_samples() const {
-    const std::vector<Point_2> samples(
-        mesh_.points.begin(),
-        mesh_.points.begin() + static_cast<std::ptrdiff_t>(mesh_.number_of_boundary_points));
-    Boundary_triangulation<Traits>(samples, all_next_points());
+  // Of the points inside that have been added.
+  void set_locations() { mesh_.locations.resize(mesh_.points.size(), Location::interior()); }
+
+  std::vector<Point_2> boundary_points() const {
+    return {mesh_.points.begin(),
+            mesh_.points.begin() + static_cast<std::ptrdiff_t>(mesh_.number_of_boundary_points)};
   }
 
   // Replaces the triangulation by triangles_. Returns false if rounding is in the way; the metric
@@ -229,7 +236,7 @@ private:
   // Measures the metric on the mesh as it is. Returns false if that is known already.
   template <typename Remeasure>
   bool update_field(const Remeasure& remeasure, Keep keep) {
-    mesh_.locations.resize(mesh_.points.size(), Location::interior());
+    set_locations();
     std::optional<Field> field = remeasure(mesh_, triangles_);
     if (!field)
       return false;
@@ -344,7 +351,7 @@ private:
   std::optional<Field> finer_field_;
   std::optional<Boundary_triangulation<Traits>> triangulation_;
   std::optional<Metric_refiner<Traits, Field>> refiner_;
-  std::vector<Linked_triangle> triangles_; // once edges have been halved, instead of these
+  Linked_triangles triangles_; // once edges have been halved, instead of these
 };
 
 } // namespace internal

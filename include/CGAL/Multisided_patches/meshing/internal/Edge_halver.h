@@ -38,7 +38,7 @@ public:
   // segments[k] is m: points k + 1 to k + m - 1 are samples on it that the triangles do not have
   // yet.
   Edge_halver(std::vector<Point_2>& points, Metric_at_points<Field>& metric,
-              std::vector<Linked_triangle>& triangles, std::vector<std::size_t>& segments)
+              Linked_triangles& triangles, std::vector<std::size_t>& segments)
       : points_(points), metric_(metric), triangles_(triangles), segments_(segments) {}
 
   // Halves the edges whose length in the metric is 2 or not much less, and those on sides if they
@@ -51,9 +51,9 @@ public:
     find_long_edges(least, progress);
     add_middles(max_segments, progress);
     find_children();
-    std::vector<Linked_triangle> children;
+    Linked_triangles children;
     children.reserve(first_child_.back() + first_child_.back() / 32); // for those added later
-    children.resize(first_child_.back());
+    children.resize(first_child_.back(), boost::container::default_init);
     std::atomic<bool> is_valid(true);
     for_each_triangle(progress, [&](std::size_t t) {
       if (!divide(t, children.data() + first_child_[t]))
@@ -91,10 +91,11 @@ private:
   void find_long_edges(std::size_t least, const Progress& progress) {
     constexpr float max_squared_length = 2, least_squared_length = 1.44F;
     std::vector<std::array<float, 3>> lengths = squared_lengths(progress);
-    // Every edge that is halved makes two triangles more.
-    const std::size_t wanted = (std::max)(least, triangles_.size()) - triangles_.size();
-    const float longest = (std::max)(least_squared_length,
-                                     (std::min)(max_squared_length, limit(lengths, wanted / 2)));
+    float longest = max_squared_length;
+    if (least > triangles_.size()) { // every edge that is halved makes two triangles more
+      longest = (std::min)(longest, limit(lengths, (least - triangles_.size()) / 2));
+      longest = (std::max)(longest, least_squared_length);
+    }
     is_long_.resize(triangles_.size());
     for_each_triangle(progress, [&](std::size_t t) {
       for (int i = 0; i < 3; ++i)
@@ -241,12 +242,12 @@ private:
 
   std::vector<Point_2>& points_;
   Metric_at_points<Field>& metric_;
-  std::vector<Linked_triangle>& triangles_;
+  Linked_triangles& triangles_;
   std::vector<std::size_t>& segments_;
   // By triangle, while edges are halved.
   std::vector<char> is_narrow_;
   std::vector<std::array<bool, 3>> is_long_;
-  std::vector<std::array<std::size_t, 3>> middles_;
+  std::vector<Linked_triangle::Indices> middles_;
   std::vector<std::size_t> first_child_; // and one past the last child
 };
 

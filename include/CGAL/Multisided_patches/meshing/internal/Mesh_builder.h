@@ -6,21 +6,18 @@
 #ifndef CGAL_MULTISIDED_PATCHES_MESHING_INTERNAL_MESH_BUILDER_H
 #define CGAL_MULTISIDED_PATCHES_MESHING_INTERNAL_MESH_BUILDER_H
 
-#include <CGAL/Multisided_patches/errors.h>
 #include <CGAL/Multisided_patches/internal/for_each_index.h>
 #include <CGAL/Multisided_patches/meshing/Mesh_maps.h>
-#include <CGAL/Multisided_patches/meshing/internal/Corner_table.h>
+#include <CGAL/Multisided_patches/meshing/internal/Mesh_topology.h>
 #include <CGAL/Multisided_patches/meshing/internal/New_elements.h>
 #include <CGAL/Multisided_patches/meshing/internal/Patch_mesh.h>
 #include <CGAL/Multisided_patches/patches/Surface_geometry_3.h>
 
 #include <CGAL/boost/graph/properties.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <optional>
-#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -38,8 +35,7 @@ void put_if_wanted([[maybe_unused]] const Map& map, [[maybe_unused]] const Key& 
     put(map, key, value);
 }
 
-// Adds patches to a mesh of any kind. Triangles, of one patch or of several, are joined where they
-// have the numbers of two vertices in common; nothing is looked for in the mesh.
+// Adds patches to a mesh of any kind, to which nothing is joined that it has already.
 //
 // What a map throws leaves a mesh that is whole, but without some of the properties.
 template <typename ConcurrencyTag, typename FaceGraph, typename Maps>
@@ -47,121 +43,68 @@ class Mesh_builder {
   using Elements = New_elements<FaceGraph>;
   using Concurrency = typename Elements::template Concurrency<ConcurrencyTag>;
   using Halfedge = typename Elements::Halfedge;
-  using Index = Corner_table::Index;
-  // For each patch, the numbers that its vertices have among those of all. A patch has the vertices
-  // of the patches before it or those with the next numbers, which it brings in.
-  using Vertex_numbers = std::vector<std::vector<std::size_t>>;
 
 public:
-  Mesh_builder(FaceGraph& mesh, const Maps& maps) : mesh_(mesh), maps_(maps) {}
+  Mesh_builder(FaceGraph& mesh, const Maps& maps, const Mesh_topology& topology)
+      : mesh_(mesh), maps_(maps), topology_(topology) {}
 
+  // Those whose domain meshes the topology is made of.
   template <typename Patch>
-  void add(const std::vector<Patch_mesh<Patch>>& patches, const Vertex_numbers& numbers) {
-    count_elements(patches, numbers);
-    collect_triangles(patches, numbers);
-    const Corner_table corners(triangles_, first_vertices_.back(), ConcurrencyTag());
-    number_halfedges(corners);
-    const Elements elements(mesh_, first_vertices_.back(), number_of_edges_, triangles_.size());
+  void add(const std::vector<Patch_mesh<Patch>>& patches) {
+    const Elements elements(mesh_, topology_.number_of_vertices(), topology_.number_of_edges(),
+                            topology_.number_of_triangles());
     link_triangles(elements);
-    link_vertices(elements, corners);
+    link_vertices(elements);
     link_border(elements);
-    put_points(elements, patches, numbers);
+    put_points(elements, patches);
     for (std::size_t p = 0; p < patches.size(); ++p) {
-      put_vertex_properties(elements, patches[p], p, numbers[p]);
+      put_vertex_properties(elements, patches[p], p);
       put_triangle_properties(elements, patches[p], p);
     }
   }
 
 private:
-  // ---------------------------------------------------------------------------------- numbering
-
-  template <typename Patch>
-  void count_elements(const std::vector<Patch_mesh<Patch>>& patches,
-                      const Vertex_numbers& numbers) {
-    for (std::size_t p = 0; p < patches.size(); ++p) {
-      std::size_t end = first_vertices_.back();
-      for (const std::size_t number : numbers[p])
-        end = (std::max)(end, number + 1);
-      first_vertices_.push_back(end);
-      first_triangles_.push_back(first_triangles_.back() +
-                                 patches[p].domain_mesh->triangles.size());
-    }
-    if (first_triangles_.back() > Corner_table::max_triangles)
-      throw Input_error("a mesh of " + std::to_string(first_triangles_.back()) +
-                        " triangles is too large; there may be up to " +
-                        std::to_string(Corner_table::max_triangles));
-  }
-
-  template <typename Patch>
-  void collect_triangles(const std::vector<Patch_mesh<Patch>>& patches,
-                         const Vertex_numbers& numbers) {
-    triangles_.resize(first_triangles_.back());
-    for (std::size_t p = 0; p < patches.size(); ++p) {
-      const auto& triangles = patches[p].domain_mesh->triangles;
-      for_each_index<ConcurrencyTag>(triangles.size(), [&](std::size_t t) {
-        for (std::size_t i = 0; i < 3; ++i)
-          triangles_[first_triangles_[p] + t][i] = static_cast<Index>(numbers[p][triangles[t][i]]);
-      });
-    }
-  }
-
-  // An edge belongs to the first of its triangles, and so does the first of its halfedges.
-  void number_halfedges(const Corner_table& corners) {
-    halfedges_.resize(3 * triangles_.size());
-    for (std::size_t c = 0; c < halfedges_.size(); ++c) {
-      const Index twin = corners.twin(c);
-      if (twin < c) {
-        halfedges_[c] = halfedges_[twin] + 1;
-        continue;
-      }
-      halfedges_[c] = static_cast<Index>(2 * number_of_edges_++);
-      if (twin == Corner_table::none)
-        border_.push_back(static_cast<Index>(c));
-    }
-  }
-
-  static std::size_t next_corner(std::size_t c) { return c % 3 < 2 ? c + 1 : c - 2; }
-  static std::size_t previous_corner(std::size_t c) { return c % 3 > 0 ? c - 1 : c + 2; }
-
   Halfedge halfedge(const Elements& elements, std::size_t corner) const {
-    return elements.halfedge(halfedges_[corner]);
+    return elements.halfedge(topology_.halfedge(corner));
   }
   auto vertex(const Elements& elements, std::size_t corner) const {
-    return elements.vertex(triangles_[corner / 3][corner % 3]);
+    return elements.vertex(topology_.vertex(corner));
   }
 
   // ------------------------------------------------------------------------------------- linking
 
   void link_triangles(const Elements& elements) {
-    for_each_index<Concurrency>(triangles_.size(), [&](std::size_t t) {
+    for_each_index<Concurrency>(topology_.number_of_triangles(), [&](std::size_t t) {
       const auto face = elements.face(t);
       for (std::size_t c = 3 * t; c < 3 * t + 3; ++c) {
         const Halfedge h = halfedge(elements, c);
-        set_target(h, vertex(elements, next_corner(c)), mesh_);
-        set_next(h, halfedge(elements, next_corner(c)), mesh_);
+        const std::size_t next = Mesh_topology::next_corner(c);
+        set_target(h, vertex(elements, next), mesh_);
+        set_next(h, halfedge(elements, next), mesh_);
         set_face(h, face, mesh_);
       }
       set_halfedge(face, halfedge(elements, 3 * t), mesh_);
     });
   }
 
-  void link_vertices(const Elements& elements, const Corner_table& corners) {
-    for_each_index<Concurrency>(first_vertices_.back(), [&](std::size_t v) {
-      const Index c = corners.corner_at(v);
-      if (c != Corner_table::none)
-        set_halfedge(elements.vertex(v), halfedge(elements, previous_corner(c)), mesh_);
+  void link_vertices(const Elements& elements) {
+    for_each_index<Concurrency>(topology_.number_of_vertices(), [&](std::size_t v) {
+      const auto c = topology_.corner_at(v);
+      if (c != Mesh_topology::none)
+        set_halfedge(elements.vertex(v), halfedge(elements, Mesh_topology::previous_corner(c)),
+                     mesh_);
     });
   }
 
   void link_border(const Elements& elements) {
     const auto none = boost::graph_traits<FaceGraph>::null_face();
-    for (const Index c : border_) {
+    for (const auto c : topology_.border()) {
       const Halfedge h = opposite(halfedge(elements, c), mesh_);
       set_target(h, vertex(elements, c), mesh_);
       set_face(h, none, mesh_);
       set_halfedge(vertex(elements, c), h, mesh_);
     }
-    for (const Index c : border_) {
+    for (const auto c : topology_.border()) {
       const Halfedge h = opposite(halfedge(elements, c), mesh_);
       // Around the vertex where it ends, from face to face, up to the next one on the border.
       Halfedge other = halfedge(elements, c);
@@ -175,27 +118,24 @@ private:
   // ---------------------------------------------------------------------------------- properties
 
   template <typename Patch>
-  void put_points(const Elements& elements, const std::vector<Patch_mesh<Patch>>& patches,
-                  const Vertex_numbers& numbers) {
+  void put_points(const Elements& elements, const std::vector<Patch_mesh<Patch>>& patches) {
     const auto points = get(CGAL::vertex_point, mesh_);
-    for (std::size_t p = 0; p < patches.size(); ++p)
-      for_each_index<Concurrency>(numbers[p].size(), [&](std::size_t k) {
-        if (is_new(p, numbers[p][k]))
-          put(points, elements.vertex(numbers[p][k]), patches[p].vertices[k].point);
+    for (std::size_t p = 0; p < patches.size(); ++p) {
+      const std::vector<std::size_t>& numbers = topology_.numbers(p);
+      for_each_index<Concurrency>(numbers.size(), [&](std::size_t k) {
+        if (topology_.is_new(p, numbers[k]))
+          put(points, elements.vertex(numbers[k]), patches[p].vertices[k].point);
       });
-  }
-
-  // Whether a vertex is one of those that a patch brings in.
-  bool is_new(std::size_t patch, std::size_t number) const {
-    return number >= first_vertices_[patch];
+    }
   }
 
   template <typename Patch>
   void put_vertex_properties(const Elements& elements, const Patch_mesh<Patch>& patch,
-                             std::size_t index, const std::vector<std::size_t>& numbers) {
+                             std::size_t index) {
     const auto& mesh = *patch.domain_mesh;
+    const std::vector<std::size_t>& numbers = topology_.numbers(index);
     for (std::size_t k = 0; k < numbers.size(); ++k) {
-      if (!is_new(index, numbers[k]))
+      if (!topology_.is_new(index, numbers[k]))
         continue;
       const auto v = elements.vertex(numbers[k]);
       put_if_wanted(maps_.normal, v, patch.vertices[k].normal);
@@ -214,9 +154,9 @@ private:
   template <typename Patch>
   void put_triangle_properties(const Elements& elements, const Patch_mesh<Patch>& patch,
                                std::size_t index) {
-    const std::size_t first = first_triangles_[index];
+    const std::size_t first = topology_.first_triangle(index);
     if constexpr (is_wanted<decltype(Maps::patch)>)
-      for (std::size_t t = first; t < first_triangles_[index + 1]; ++t)
+      for (std::size_t t = first; t < topology_.first_triangle(index + 1); ++t)
         put(maps_.patch, elements.face(t), index);
     if constexpr (is_wanted<decltype(Maps::side)>) {
       const auto& triangles = patch.domain_mesh->triangles;
@@ -246,12 +186,7 @@ private:
 
   FaceGraph& mesh_;
   Maps maps_;
-  // Of each patch, and one past those of the last patch.
-  std::vector<std::size_t> first_vertices_{0}, first_triangles_{0};
-  std::vector<Corner_table::Triangle> triangles_; // with the numbers of vertices among all
-  std::vector<Index> halfedges_;                  // by corner
-  std::size_t number_of_edges_ = 0;
-  std::vector<Index> border_; // corners
+  const Mesh_topology& topology_;
 };
 
 } // namespace internal

@@ -28,7 +28,7 @@ public:
   //
   // Complexity: linear in the size of the region, but for tables of the size of the mesh, which are
   // cleared.
-  Mesh_region(const std::vector<Linked_triangle>& mesh, std::size_t number_of_points,
+  Mesh_region(const Linked_triangles& mesh, std::size_t number_of_points,
               std::vector<char> is_chosen, int rings)
       : is_inside_(std::move(is_chosen)), is_surrounded_(number_of_points, false),
         local_(number_of_points, none) {
@@ -53,12 +53,12 @@ public:
   const std::vector<std::size_t>& points() const { return points_; }
   std::size_t number_of_border_points() const { return outside_.size(); }
   // With the numbers of the region. On its border there are no neighbours.
-  const std::vector<Linked_triangle>& triangles() const { return triangles_; }
+  const Linked_triangles& triangles() const { return triangles_; }
 
   // Replaces the triangles of the region in the mesh that it is from by others with the same
   // border. New points of the region have become the last ones of the mesh, in the same order.
-  void replace(const std::vector<Linked_triangle>& triangles, std::size_t number_of_points,
-               std::vector<Linked_triangle>& mesh) {
+  void replace(const Linked_triangles& triangles, std::size_t number_of_points,
+               Linked_triangles& mesh) {
     // Their numbers in the mesh: those of the old triangles, and then new ones.
     for (std::size_t k = numbers_.size(), next = mesh.size(); k < triangles.size(); ++k)
       numbers_.push_back(next++);
@@ -103,7 +103,7 @@ private:
   }
 
   // Adds all triangles around corner i of triangle t.
-  void surround(std::size_t t, int i, const std::vector<Linked_triangle>& mesh) {
+  void surround(std::size_t t, int i, const Linked_triangles& mesh) {
     const std::size_t v = mesh[t].vertices[i];
     if (is_surrounded_[v])
       return;
@@ -124,7 +124,7 @@ private:
 
   // Calls f(t, i) for the edges on the border.
   template <typename Function>
-  void for_each_border_edge(const std::vector<Linked_triangle>& mesh, const Function& f) const {
+  void for_each_border_edge(const Linked_triangles& mesh, const Function& f) const {
     for (const std::size_t t : numbers_)
       for (int i = 0; i < 3; ++i)
         if (!is_inside(mesh[t].neighbors[i]))
@@ -133,7 +133,7 @@ private:
 
   // Adds all triangles around points through which the border passes twice. Returns whether there
   // were some.
-  bool close_pinches(const std::vector<Linked_triangle>& mesh) {
+  bool close_pinches(const Linked_triangles& mesh) {
     std::vector<char> is_start(local_.size(), false);
     std::vector<std::pair<std::size_t, int>> pinches; // triangles and their corners there
     for_each_border_edge(mesh, [&](std::size_t t, int i) {
@@ -149,7 +149,7 @@ private:
     return numbers_.size() > before;
   }
 
-  void number_points(const std::vector<Linked_triangle>& mesh) {
+  void number_points(const Linked_triangles& mesh) {
     const auto add = [&](std::size_t v) {
       if (local_[v] != none)
         return;
@@ -165,7 +165,7 @@ private:
         add(v);
   }
 
-  void make_triangles(const std::vector<Linked_triangle>& mesh) {
+  void make_triangles(const Linked_triangles& mesh) {
     std::vector<std::size_t> local(mesh.size(), none);
     for (std::size_t k = 0; k < numbers_.size(); ++k)
       local[numbers_[k]] = k;
@@ -187,7 +187,7 @@ private:
   std::vector<std::size_t> points_;  // by point of the region
   std::vector<std::size_t> outside_; // by point on the border: the triangle behind the edge from it
   std::vector<std::size_t> numbers_; // by triangle of the region: its number in the mesh
-  std::vector<Linked_triangle> triangles_;
+  Linked_triangles triangles_;
 };
 
 } // namespace internal

@@ -31,7 +31,7 @@ public:
   // A triangle, given by the numbers of its corners.
   template <typename Point_2>
   Metric_triangle triangle(const std::vector<Point_2>& points,
-                           const std::array<std::size_t, 3>& v) const {
+                           const Linked_triangle::Indices& v) const {
     return Metric_triangle({to_uv(points[v[0]]), to_uv(points[v[1]]), to_uv(points[v[2]])},
                            1. / 3 * (metrics_[v[0]] + metrics_[v[1]] + metrics_[v[2]]));
   }
@@ -42,17 +42,17 @@ public:
   }
   void add(const Uv& p, std::size_t hint) {
     metrics_.push_back(scale_ * (*field_)(p, hint));
-    hints_.push_back(hint);
+    hints_.push_back(static_cast<Linked_triangle::Index>(hint));
   }
   // Keeps the first n, or makes room for points that are set later.
   void resize(std::size_t n) {
-    metrics_.resize(n);
-    hints_.resize(n);
+    metrics_.resize(n, boost::container::default_init);
+    hints_.resize(n, boost::container::default_init);
   }
   // Threads may do so at the same time for different k.
   void set(std::size_t k, const Uv& p, std::size_t hint) {
     metrics_[k] = scale_ * (*field_)(p, hint);
-    hints_[k] = hint;
+    hints_[k] = static_cast<Linked_triangle::Index>(hint);
   }
 
   // The metric at some of the points, in their order.
@@ -82,8 +82,8 @@ public:
 private:
   const Field* field_;
   double scale_ = 1; // of squared lengths
-  std::vector<Metric_2> metrics_;
-  std::vector<std::size_t> hints_; // where the field was last asked
+  boost::container::vector<Metric_2> metrics_;
+  boost::container::vector<Linked_triangle::Index> hints_; // where the field was last asked
 };
 
 } // namespace internal

@@ -14,6 +14,7 @@
 #include <CGAL/Multisided_patches/meshing/Tessellation_visitor.h>
 #include <CGAL/Multisided_patches/meshing/internal/Scaled_surface.h>
 
+#include <boost/container/vector.hpp>
 #include <boost/range/iterator_range.hpp>
 
 #include <algorithm>
@@ -46,7 +47,7 @@ struct Patch_mesh {
 
   const Patch* patch = nullptr;
   const Domain_mesh_2<Traits>* domain_mesh = nullptr;
-  std::vector<Surface_vertex<Traits>> vertices;
+  boost::container::vector<Surface_vertex<Traits>> vertices;
 };
 
 // `patch.points_and_normals()`, which a patch need not have.
@@ -76,7 +77,7 @@ Patch_mesh<Patch> evaluate_vertices(const Patch& patch,
   Patch_mesh<Patch> result;
   result.patch = &patch;
   result.domain_mesh = &mesh;
-  result.vertices.resize(n);
+  result.vertices.resize(n, boost::container::default_init); // threads touch it first
   constexpr std::size_t block = 1 << 14;
   for (std::size_t first = 0; first < n; first += block) {
     report_progress(visitor, Tessellation_stage::evaluation, first, n);

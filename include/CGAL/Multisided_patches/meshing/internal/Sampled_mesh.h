@@ -20,7 +20,7 @@ namespace internal {
 struct Sampled_mesh {
   std::vector<Uv> uv;
   std::vector<Vec3> positions; // in any unit
-  std::vector<Linked_triangle> triangles;
+  Linked_triangles triangles;
 };
 
 } // namespace internal

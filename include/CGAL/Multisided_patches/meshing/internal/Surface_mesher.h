@@ -63,6 +63,8 @@ public:
 
   // Of the surface (squared model units).
   double area() const { return coarse_metric_.area() * surface_.unit() * surface_.unit(); }
+  // (model units)
+  double boundary_length() const { return coarse_metric_.boundary_length() * surface_.unit(); }
 
   // Begins a mesh with edges of a length (model units) on the average. Returns about how many
   // triangles it will have.
@@ -79,7 +81,7 @@ public:
   }
   // Finishes it.
   Mesh finish(Keep keep) {
-    const auto remeasure = [&](const Mesh& mesh, const std::vector<Linked_triangle>& triangles) {
+    const auto remeasure = [&](const Mesh& mesh, const Linked_triangles& triangles) {
       Sampled_mesh sampled;
       sample(mesh, triangles, sampled);
       Surface_metric metric(sampled);
@@ -253,7 +255,7 @@ private:
   void sample(const Any_mesher& mesher, Sampled_mesh& sampled) {
     sample(mesher.mesh(), mesher.triangles(), sampled);
   }
-  void sample(const Mesh& mesh, std::vector<Linked_triangle> triangles, Sampled_mesh& sampled) {
+  void sample(const Mesh& mesh, Linked_triangles triangles, Sampled_mesh& sampled) {
     const std::size_t old = sampled.uv.size(), n = mesh.points.size();
     sampled.positions.resize(n);
     for (std::size_t k = old; k < n; ++k)
@@ -329,7 +331,7 @@ private:
     return mesh;
   }
 
-  using Corners = std::array<std::size_t, 3>; // in increasing order
+  using Corners = Linked_triangle::Indices; // in increasing order
 
   static Corners corners_of(const Linked_triangle& t) {
     Corners v = t.vertices;

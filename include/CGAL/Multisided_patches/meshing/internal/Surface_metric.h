@@ -39,8 +39,12 @@ public:
       area_ += norm(cross(difference(positions[v[1]], positions[v[0]]),
                           difference(positions[v[2]], positions[v[0]]))) /
                2;
-      for (const std::size_t k : v)
-        face_of_[k] = t;
+      for (std::size_t i = 0; i < 3; ++i) {
+        face_of_[v[i]] = t;
+        if (triangles_[t].neighbors[i] == Linked_triangle::none)
+          boundary_length_ +=
+              norm(difference(positions[v[(i + 1) % 3]], positions[v[(i + 2) % 3]]));
+      }
       // Sharp triangles say little about lengths across them.
       const double area = cross(uv_[v[1]] - uv_[v[0]], uv_[v[2]] - uv_[v[0]]);
       const double weight = area * quality(v);
@@ -59,10 +63,11 @@ public:
     set_edge_length(1);
   }
 
-  const std::vector<Linked_triangle>& triangles() const { return triangles_; }
+  const Linked_triangles& triangles() const { return triangles_; }
   std::size_t number_of_vertices() const { return uv_.size(); }
   // Of the surface.
   double area() const { return area_; }
+  double boundary_length() const { return boundary_length_; }
 
   // The edge lengths that are wanted at the vertices.
   void set_edge_lengths(const std::vector<double>& lengths) {
@@ -107,14 +112,14 @@ public:
 
 private:
   // 1 for equilateral triangles, 0 for flat ones.
-  double quality(const std::array<std::size_t, 3>& v) const {
+  double quality(const Linked_triangle::Indices& v) const {
     const Metric_triangle t({uv_[v[0]], uv_[v[1]], uv_[v[2]]}, Metric_2{1, 0, 1});
     const double sum = t.squared_length(0) + t.squared_length(1) + t.squared_length(2);
     return sum > 0 ? 4 * std::sqrt(3.0) * t.area() / sum : 0;
   }
 
   // Of the linear map of the triangle from the domain to the surface.
-  Metric_2 first_fundamental_form(const std::array<std::size_t, 3>& v,
+  Metric_2 first_fundamental_form(const Linked_triangle::Indices& v,
                                   const std::vector<Vec3>& positions) const {
     const Uv a = uv_[v[1]] - uv_[v[0]], b = uv_[v[2]] - uv_[v[0]];
     const Vec3 p = difference(positions[v[1]], positions[v[0]]),
@@ -169,11 +174,11 @@ private:
   }
 
   std::vector<Uv> uv_;
-  std::vector<Linked_triangle> triangles_;
+  Linked_triangles triangles_;
   std::vector<Metric_2> forms_; // by vertex
   std::vector<Metric_2> metrics_;
   std::vector<std::size_t> face_of_;
-  double area_ = 0;
+  double area_ = 0, boundary_length_ = 0;
 };
 
 } // namespace internal

@@ -25,7 +25,7 @@ namespace internal {
 template <typename ConcurrencyTag, typename Point_2, typename Field>
 std::vector<char> find_bad_triangles(const std::vector<Point_2>& points,
                                      const Metric_at_points<Field>& metric,
-                                     const std::vector<Linked_triangle>& triangles) {
+                                     const Linked_triangles& triangles) {
   const auto wants_flip = [&](std::size_t t, int i) {
     const std::size_t n = triangles[t].neighbors[i];
     if (n == Linked_triangle::none || n < t)
@@ -52,7 +52,7 @@ std::vector<char> find_bad_triangles(const std::vector<Point_2>& points,
 // and then it calls progress(number of points), which may throw.
 template <typename ConcurrencyTag, typename Traits, typename Field, typename Progress>
 void refine_where_needed(std::vector<typename Traits::Point_2>& points,
-                         Metric_at_points<Field>& metric, std::vector<Linked_triangle>& triangles,
+                         Metric_at_points<Field>& metric, Linked_triangles& triangles,
                          std::size_t max_points, const Progress& progress) {
   // Points of sharp triangles are moved, and those around them.
   constexpr int rings = 3, sweeps = 5;

@@ -120,12 +120,11 @@ inline Orthonormal_basis orthonormalize(Matrix a) {
   if (!a.allFinite())
     throw Numerical_error("a basis function overflows");
   Orthonormal_basis result;
-  result.r.setIdentity(columns, columns);
+  Eigen::VectorXd norms(columns);
   for (Index j = 0; j < columns; ++j) {
     const double norm = a.col(j).stableNorm();
-    if (norm > 0)
-      result.r(j, j) = norm;
-    a.col(j) /= result.r(j, j);
+    norms[j] = norm > 0 ? norm : 1;
+    a.col(j) /= norms[j];
   }
   for (int pass = 0;; ++pass) {
     result.gram.resize(0, 0);
@@ -143,9 +142,13 @@ inline Orthonormal_basis orthonormalize(Matrix a) {
     if (!u)
       u = shifted_cholesky(result.gram);
     solve_upper_from_right(*u, a);
-    Matrix product;
-    add_product(1, *u, result.r, product);
-    result.r = std::move(product);
+    if (pass == 0) {
+      result.r = std::move(*u) * norms.asDiagonal();
+    } else {
+      Matrix product;
+      add_product(1, *u, result.r, product);
+      result.r = std::move(product);
+    }
   }
   if (a.rows() > rows) {
     const Matrix penalty_rows = a.bottomRows(a.rows() - rows);
