@@ -78,6 +78,27 @@ TEST_CASE("Meshes have the wanted number of triangles, to 5 percent") {
   }
 }
 
+// A length from the area alone would divide the long sides into a million edges at first.
+TEST_CASE("A surface of hardly any area is not sampled more finely than triangles are wanted") {
+  struct Most_points {
+    std::size_t& most;
+    bool go_further(MP::Tessellation_stage, std::size_t done, std::size_t) {
+      most = (std::max)(most, done);
+      return true;
+    }
+  };
+  const Formula_patch patch(Domain({{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}), [](auto u, auto v) {
+    return std::array{u, 1e-11 * v, 0 * u};
+  });
+  std::size_t most = 0;
+  Mesh mesh;
+  MP::tessellate(patch, mesh, MP::Mesh_density::triangles(32), MP::Default_maps(),
+                 Most_points{most});
+  CHECK(MP::mesh_topology(mesh).is_disk());
+  CHECK(mesh.number_of_faces() == Approx(32).margin(8));
+  CHECK(most < 10000);
+}
+
 TEST_CASE("Edges have about the target length on the average, and none is much longer") {
   const Patch patch(lifted_loop(u_shape(), bowl));
   for (const double target : {0.3, 0.1, 0.03})

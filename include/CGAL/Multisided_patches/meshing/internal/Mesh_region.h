@@ -153,7 +153,7 @@ private:
     const auto add = [&](std::size_t v) {
       if (local_[v] != none)
         return;
-      local_[v] = points_.size();
+      local_[v] = static_cast<Linked_triangle::Index>(points_.size());
       points_.push_back(v);
     };
     for_each_border_edge(mesh, [&](std::size_t t, int i) {
@@ -166,9 +166,9 @@ private:
   }
 
   void make_triangles(const Linked_triangles& mesh) {
-    std::vector<std::size_t> local(mesh.size(), none);
+    std::vector<Linked_triangle::Index> local(mesh.size(), none);
     for (std::size_t k = 0; k < numbers_.size(); ++k)
-      local[numbers_[k]] = k;
+      local[numbers_[k]] = static_cast<Linked_triangle::Index>(k);
     triangles_.reserve(numbers_.size());
     for (const std::size_t t : numbers_) {
       Linked_triangle triangle;
@@ -181,10 +181,10 @@ private:
     }
   }
 
-  std::vector<char> is_inside_;      // by triangle of the mesh
-  std::vector<char> is_surrounded_;  // by point of the mesh: whether all triangles there are inside
-  std::vector<std::size_t> local_;   // by point of the mesh: its number in the region
-  std::vector<std::size_t> points_;  // by point of the region
+  std::vector<char> is_inside_;     // by triangle of the mesh
+  std::vector<char> is_surrounded_; // by point of the mesh: whether all triangles there are inside
+  std::vector<Linked_triangle::Index> local_; // by point of the mesh: its number in the region
+  std::vector<std::size_t> points_;           // by point of the region
   std::vector<std::size_t> outside_; // by point on the border: the triangle behind the edge from it
   std::vector<std::size_t> numbers_; // by triangle of the region: its number in the mesh
   Linked_triangles triangles_;
