@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "catch.h"
+#include "fuzz/random_plans.h"
 #include "harmonic_fixtures.h"
 
 using namespace fixtures;
@@ -16,6 +17,23 @@ TEST_CASE("The error stays below its bound, and the bound below the target", "[h
       const Harmonic_coordinates_2 h(domain, target);
       CHECK(h.error_bound() <= target);
       INFO(domain.size() << " sides, the first from " << domain.side(0) << ", target " << target);
+      CHECK(largest_difference(h, fine) <= h.error_bound() + fine.error_bound());
+    }
+  }
+}
+
+// Next to short sides, and between facing ones, functions vary on very different scales in one
+// cell.
+TEST_CASE("The bound holds on domains whose sides are 1e7 times as long as others", "[harmonic]") {
+  const unsigned seed = 31;
+  for (unsigned k = 0; k < 12; ++k) {
+    Random random(seed + k);
+    const Domain domain(fuzz::random_uneven(random, 6 + 2 * (k % 3)));
+    const Harmonic_coordinates_2 fine(domain, 1e-9, 1e-6);
+    for (const double target : {1e-3, 1e-5, 1e-7}) {
+      const Harmonic_coordinates_2 h(domain, target, 1e-3);
+      INFO("seed " << seed + k << ", target " << target << ", bounds " << h.error_bound() << " and "
+                   << fine.error_bound());
       CHECK(largest_difference(h, fine) <= h.error_bound() + fine.error_bound());
     }
   }

@@ -13,6 +13,7 @@
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -94,6 +95,8 @@ public:
     for (const Face_handle f : triangulation_.finite_face_handles())
       if (is_inside(f))
         f->info() = count++;
+    check_number_of_indices(
+        (std::max)(count, static_cast<std::size_t>(triangulation_.number_of_vertices())));
     Linked_triangles result;
     result.reserve(count);
     for (const Face_handle f : triangulation_.finite_face_handles())

@@ -6,12 +6,15 @@
 #ifndef CGAL_MULTISIDED_PATCHES_INTERNAL_LINKED_TRIANGLE_H
 #define CGAL_MULTISIDED_PATCHES_INTERNAL_LINKED_TRIANGLE_H
 
+#include <CGAL/Multisided_patches/errors.h>
+
 #include <boost/container/vector.hpp>
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <string>
 
 namespace CGAL {
 namespace Multisided_patches {
@@ -28,6 +31,12 @@ struct Linked_triangle {
   Indices vertices;  // of points, counterclockwise
   Indices neighbors; // of triangles, opposite to the vertices; none across the boundary
 };
+
+// Refuses meshes whose indices 32 bits do not hold.
+inline void check_number_of_indices(std::size_t n) {
+  if (n >= Linked_triangle::none)
+    throw Input_error("a mesh of " + std::to_string(n) + " points or triangles is too large");
+}
 
 // Elements can be left for threads to fill: `boost::container::default_init`.
 using Linked_triangles = boost::container::vector<Linked_triangle>;

@@ -6,7 +6,7 @@
 #ifndef CGAL_MULTISIDED_PATCHES_INTERNAL_FOR_EACH_INDEX_H
 #define CGAL_MULTISIDED_PATCHES_INTERNAL_FOR_EACH_INDEX_H
 
-#include <CGAL/tags.h>
+#include <CGAL/Multisided_patches/internal/is_parallel.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/blocked_range.h>
@@ -14,7 +14,6 @@
 #endif
 
 #include <cstddef>
-#include <type_traits>
 
 namespace CGAL {
 namespace Multisided_patches {
@@ -22,20 +21,20 @@ namespace internal {
 
 // Calls f(i) for i = 0..n-1, in parallel if the tag says so. The calls must not depend on each
 // other; `grain` of them should take far longer than handing a block of them to a thread.
+//
+// All calls are made unless one throws: what cancels tasks around this one does not cancel them.
 template <typename ConcurrencyTag, typename Function>
 void for_each_index(std::size_t n, const Function& f, [[maybe_unused]] std::size_t grain = 256) {
-  static_assert(std::is_convertible_v<ConcurrencyTag, Parallel_tag> ||
-                    std::is_convertible_v<ConcurrencyTag, Sequential_tag>,
-                "a concurrency tag of CGAL is needed");
-  if constexpr (std::is_convertible_v<ConcurrencyTag, Parallel_tag>) {
+  if constexpr (is_parallel<ConcurrencyTag>()) {
 #ifdef CGAL_LINKED_WITH_TBB
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, grain), [&](const auto& block) {
-      for (std::size_t i = block.begin(); i != block.end(); ++i)
-        f(i);
-    });
-#else
-    static_assert(!std::is_convertible_v<ConcurrencyTag, Parallel_tag>,
-                  "Parallel_tag needs TBB, which this program is not linked with");
+    tbb::task_group_context context(tbb::task_group_context::isolated);
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, n, grain),
+        [&](const auto& block) {
+          for (std::size_t i = block.begin(); i != block.end(); ++i)
+            f(i);
+        },
+        context);
 #endif
   } else {
     for (std::size_t i = 0; i < n; ++i)

@@ -6,41 +6,43 @@
 #ifndef CGAL_MULTISIDED_PATCHES_INTERNAL_RUN_BOTH_H
 #define CGAL_MULTISIDED_PATCHES_INTERNAL_RUN_BOTH_H
 
-#include <CGAL/tags.h>
+#include <CGAL/Multisided_patches/internal/is_parallel.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/task_group.h>
 #endif
 
-#include <exception>
-#include <type_traits>
-
 namespace CGAL {
 namespace Multisided_patches {
 namespace internal {
 
-// Calls two functions that do not depend on each other, `aside` on another thread if the
-// concurrency tag allows it and one is free. If both throw, what `aside` throws is thrown.
-template <typename ConcurrencyTag, typename Aside, typename Here>
-void run_both(const Aside& aside, const Here& here) {
+// Calls two functions that do not depend on each other; if the concurrency tag allows it and a
+// thread is free, that calls `aside`. What `here` throws goes before what `aside` throws, which
+// need not run then. Nothing else cancels them.
+template <typename ConcurrencyTag, typename Here, typename Aside>
+void run_both(const Here& here, const Aside& aside) {
+  if constexpr (is_parallel<ConcurrencyTag>()) {
 #ifdef CGAL_LINKED_WITH_TBB
-  if constexpr (std::is_convertible_v<ConcurrencyTag, Parallel_tag>) {
-    std::exception_ptr error;
-    tbb::task_group group;
+    tbb::task_group_context context(tbb::task_group_context::isolated);
+    tbb::task_group group(context);
     group.run([&] { aside(); });
     try {
       here();
     } catch (...) {
-      error = std::current_exception();
+      group.cancel();
+      try {
+        group.wait();
+      } catch (...) {
+        // It ended, which is what matters.
+      }
+      throw;
     }
     group.wait();
-    if (error)
-      std::rethrow_exception(error);
-    return;
-  }
 #endif
-  aside();
-  here();
+  } else {
+    here();
+    aside();
+  }
 }
 
 } // namespace internal

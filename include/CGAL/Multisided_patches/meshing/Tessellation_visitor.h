@@ -16,7 +16,7 @@ namespace Multisided_patches {
 //! What the making of a mesh goes through.
 enum class Tessellation_stage {
   meshing,    //!< points and triangles in the domain
-  evaluation, //!< points and normals of the surface
+  evaluation, //!< points and normals of the surface, and what is next to what in the mesh
   assembly    //!< the caller's mesh: announced before it begins, and not interrupted
 };
 

@@ -64,9 +64,10 @@ auto find_share_of_turn(const Mesh_density& density, const Function& mesh) {
 
 // Calls start(edge_length), which returns a number of triangles, until that is the target up to a
 // tolerance that the counts of small meshes scatter more than; the last call is the best one. Of
-// the surface, its area and the length of its boundary (model units) tell where to begin.
+// the surface, which is made of `disks` patches, its area and the length of their boundaries (model
+// units) tell where to begin.
 template <typename Function>
-void find_edge_length(std::size_t target, double area, double boundary_length,
+void find_edge_length(std::size_t target, double area, double boundary_length, std::size_t disks,
                       const Function& start) {
   constexpr int max_rounds = 6;
   constexpr double tolerance = 0.025;
@@ -74,9 +75,9 @@ void find_edge_length(std::size_t target, double area, double boundary_length,
   constexpr double mean_triangle_area = 0.87;
   const double wanted = static_cast<double>(target);
   // A disk has at most two edges more on its boundary than triangles. Where a surface has hardly
-  // any area, what that asks for would be millions.
+  // any area, a length from that alone would divide the boundary into millions of edges.
   double length = (std::max)(std::sqrt(area / (mean_triangle_area * wanted) * 4 / std::sqrt(3.0)),
-                             boundary_length / (wanted + 2));
+                             boundary_length / (wanted + 2 * static_cast<double>(disks)));
   double best_length = length, best_error = std::numeric_limits<double>::infinity();
   for (int round = 0; round < max_rounds; ++round) {
     const double count = static_cast<double>(start(length));
@@ -141,7 +142,7 @@ mesh_domain(const Patch& patch, const Mesh_density& density, Visitor&& visitor =
   };
   if (density.target_triangles()) {
     internal::find_edge_length(*density.target_triangles(), mesher.area(), mesher.boundary_length(),
-                               start);
+                               1, start);
     return mesher.finish(internal::Keep::number_of_triangles);
   }
   start(*density.target_edge_length());

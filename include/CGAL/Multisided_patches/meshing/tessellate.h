@@ -12,7 +12,7 @@
 #include <CGAL/Multisided_patches/meshing/Mesh_maps.h>
 #include <CGAL/Multisided_patches/meshing/Tessellation_visitor.h>
 #include <CGAL/Multisided_patches/meshing/internal/Mesh_builder.h>
-#include <CGAL/Multisided_patches/meshing/internal/Mesh_topology.h>
+#include <CGAL/Multisided_patches/meshing/internal/Mesh_connectivity.h>
 #include <CGAL/Multisided_patches/meshing/internal/default_maps.h>
 #include <CGAL/Multisided_patches/meshing/mesh_domain.h>
 
@@ -47,7 +47,8 @@ namespace Multisided_patches {
  * \pre `domain_mesh` is valid, see `is_valid_domain_mesh()`
  *
  * \throws Numerical_error if a point of the surface is not finite
- * \throws Cancelled if the visitor wants so; `mesh` is unchanged in both cases
+ * \throws Input_error if there are more than 7e8 triangles
+ * \throws Cancelled if the visitor wants so; `mesh` is unchanged in all these cases
  *
  * Complexity: one evaluation of the patch with first derivatives for each vertex.
  */
@@ -58,18 +59,20 @@ void tessellate(const Patch& patch, const Domain_mesh_2<typename Patch::Geom_tra
   const std::size_t n = domain_mesh.points.size();
   std::vector<std::vector<std::size_t>> numbers{std::vector<std::size_t>(n)};
   std::iota(numbers[0].begin(), numbers[0].end(), std::size_t(0));
-  std::optional<internal::Mesh_topology> topology;
+  std::optional<internal::Mesh_connectivity> connectivity;
   std::vector<internal::Patch_mesh<Patch>> patch_mesh(1);
   internal::run_both<ConcurrencyTag>(
-      [&] { topology.emplace(std::vector{&domain_mesh}, std::move(numbers), ConcurrencyTag()); },
       [&] {
         patch_mesh[0] = internal::evaluate_vertices<ConcurrencyTag>(patch, domain_mesh, visitor);
         internal::fill_missing_normals(patch_mesh[0]);
+      },
+      [&] {
+        connectivity.emplace(std::vector{&domain_mesh}, std::move(numbers), ConcurrencyTag());
       });
   internal::report_progress(visitor, Tessellation_stage::assembly, 0, n);
   const auto all_maps = internal::maps_or_default<Patch>(maps, mesh);
   internal::Mesh_builder<ConcurrencyTag, FaceGraph, std::decay_t<decltype(all_maps)>>(
-      mesh, all_maps, *topology)
+      mesh, all_maps, *connectivity)
       .add(patch_mesh);
 }
 

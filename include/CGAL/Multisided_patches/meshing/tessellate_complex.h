@@ -50,7 +50,7 @@ void tessellate(const Patch_complex<Patch>& complex, FaceGraph& mesh, const Mesh
   internal::report_progress(visitor, Tessellation_stage::assembly, 0, mesher.number_of_vertices());
   const auto all_maps = internal::maps_or_default_of_complex<Patch>(maps, mesh);
   internal::Mesh_builder<ConcurrencyTag, FaceGraph, std::decay_t<decltype(all_maps)>>(
-      mesh, all_maps, mesher.topology())
+      mesh, all_maps, mesher.connectivity())
       .add(mesher.meshes());
 }
 

@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
@@ -62,9 +63,11 @@ Domain_mesh_2<Traits> triangulate_domain(const Polygonal_domain_2<Traits>& domai
   CGAL_precondition(segments.size() == domain.size() && spacing > 0);
   CGAL_precondition(std::find(segments.begin(), segments.end(), 0) == segments.end());
   const double triangles =
-      CGAL::to_double(domain.area()) / (spacing * spacing * std::sqrt(3.0) / 4);
+      CGAL::to_double(domain.area()) / (spacing * spacing * std::sqrt(3.0) / 4) +
+      std::accumulate(segments.begin(), segments.end(), 0.0);
   if (!(triangles <= static_cast<double>(Mesh_density::max_triangles)))
-    throw Input_error("a spacing of " + internal::to_short_text(spacing) + " would need about " +
+    throw Input_error("a spacing of " + internal::to_short_text(spacing) +
+                      ", with these segments, would need about " +
                       internal::to_short_text(triangles) + " triangles; the limit is " +
                       std::to_string(Mesh_density::max_triangles));
   internal::Side_parameters sides;

@@ -12,7 +12,7 @@
 #include <CGAL/Multisided_patches/internal/vector_utils.h>
 #include <CGAL/Multisided_patches/meshing/Mesh_density.h>
 #include <CGAL/Multisided_patches/meshing/Patch_complex.h>
-#include <CGAL/Multisided_patches/meshing/internal/Mesh_topology.h>
+#include <CGAL/Multisided_patches/meshing/internal/Mesh_connectivity.h>
 #include <CGAL/Multisided_patches/meshing/internal/Patch_mesh.h>
 #include <CGAL/Multisided_patches/meshing/internal/Surface_mesher.h>
 #include <CGAL/Multisided_patches/meshing/internal/split_chords.h>
@@ -90,7 +90,7 @@ public:
 
   void run(const Mesh_density& density) {
     if (size() == 0)
-      return make_topology();
+      return make_connectivity();
     if (density.max_chordal_deviation() || density.max_normal_deviation())
       find_share_of_turn(density, [&](double share) { mesh_domains(density, share); });
     else
@@ -103,7 +103,7 @@ public:
       throw Input_error(complex_.names()[*torn] +
                         ": the triangles are too large for the sides that this patch shares with "
                         "others, or with itself; ask for shorter edges");
-    run_both<ConcurrencyTag>([&] { make_topology(); }, [&] { evaluate(); });
+    run_both<ConcurrencyTag>([&] { evaluate(); }, [&] { make_connectivity(); });
     average_normals();
   }
 
@@ -116,7 +116,8 @@ public:
 
   const std::vector<Patch_mesh<Patch>>& meshes() const { return meshes_; }
 
-  const Mesh_topology& topology() const { return *topology_; }
+  // pre: run() has ended
+  const Mesh_connectivity& connectivity() const { return *connectivity_; }
 
 private:
   using Mesher = Surface_mesher<Patch, ConcurrencyTag, Shared_visitor<Visitor>>;
@@ -157,7 +158,7 @@ private:
         area += mesher->area();
         boundary_length += mesher->boundary_length();
       }
-      find_edge_length(*density.target_triangles(), area, boundary_length,
+      find_edge_length(*density.target_triangles(), area, boundary_length, size(),
                        [&](double length) { return start(length); });
     } else {
       start(*density.target_edge_length());
@@ -257,11 +258,11 @@ private:
     return numbers;
   }
 
-  void make_topology() {
+  void make_connectivity() {
     std::vector<const Domain_mesh_2<Traits>*> meshes;
     for (const auto& mesh : domain_meshes_)
       meshes.push_back(&mesh);
-    topology_.emplace(meshes, vertex_numbers(), ConcurrencyTag());
+    connectivity_.emplace(meshes, vertex_numbers(), ConcurrencyTag());
   }
 
   // A common vertex has the mean of the normals.
@@ -291,7 +292,7 @@ private:
   std::vector<Patch_mesh<Patch>> meshes_;
   std::vector<std::vector<std::size_t>> groups_;
   std::size_t number_of_groups_ = 0;
-  std::optional<Mesh_topology> topology_;
+  std::optional<Mesh_connectivity> connectivity_;
 };
 
 } // namespace internal

@@ -27,7 +27,8 @@ public:
   using Index = std::uint32_t;
   using Triangle = std::array<Index, 3>;
   static constexpr Index none = (std::numeric_limits<Index>::max)();
-  static constexpr std::size_t max_triangles = none / 3;
+  // Halfedges can be numbered, too, of which a triangle has six if it is alone.
+  static constexpr std::size_t max_triangles = none / 6;
 
   // No two triangles have an edge in the same direction. pre: there are at most `max_triangles`
   template <typename ConcurrencyTag>

@@ -43,7 +43,8 @@ enum class Keep { edge_length, number_of_triangles };
 // long as wanted. Then these are halved, which takes in the other samples; and what is not good
 // enough after that, near the sides mostly, is refined point by point.
 //
-// The concurrency tag says how edges are halved. The mesh is the same, bit for bit.
+// The concurrency tag says how edges are halved, and whether samples are checked meanwhile. The
+// mesh is the same, bit for bit.
 template <typename Traits, typename Field, typename ConcurrencyTag>
 class Domain_mesher {
 public:
@@ -115,14 +116,14 @@ public:
                    Keep keep) {
     if (halvings_ == 0)
       return;
-    // Not all samples may be such that they can be triangulated: a coarse mesh is without some.
-    const std::vector<Point_2> samples = boundary_points();
-    run_both<ConcurrencyTag>([&] { Boundary_triangulation<Traits>(samples, all_next_points()); },
-                             [&] {
-                               if (halvings_ >= 2)
-                                 adapt_coarse_mesh(max_points, progress, remeasure, keep);
-                               refiner_->smooth(coarse_sweeps);
-                             });
+    run_both<ConcurrencyTag>(
+        [&] {
+          if (halvings_ >= 2)
+            adapt_coarse_mesh(max_points, progress, remeasure, keep);
+          refiner_->smooth(coarse_sweeps);
+        },
+        // A copy, as points are added meanwhile.
+        [samples = boundary_points(), this] { check_all_samples(samples); });
     if (!try_to_halve_edges(max_points, progress, remeasure, keep)) {
       // Then the points inside are looked for one by one.
       mesh_.points.resize(mesh_.number_of_boundary_points);
@@ -150,7 +151,7 @@ public:
     set_locations();
   }
 
-  // Without triangles.
+  // Without triangles and, once edges have been halved, without the locations of points inside.
   const Mesh& mesh() const { return mesh_; }
   Linked_triangles triangles() const {
     return triangulation_ ? triangulation_->triangles() : triangles_;
@@ -163,12 +164,12 @@ public:
       triangulation_.reset();
     }
     run_both<ConcurrencyTag>(
-        [&] { set_locations(); },
         [&] {
           mesh_.triangles.reserve(triangles_.size());
           for (const Linked_triangle& t : triangles_)
             mesh_.triangles.push_back({t.vertices[0], t.vertices[1], t.vertices[2]});
-        });
+        },
+        [&] { set_locations(); });
     return std::move(mesh_);
   }
 
@@ -181,6 +182,12 @@ private:
   std::vector<Point_2> boundary_points() const {
     return {mesh_.points.begin(),
             mesh_.points.begin() + static_cast<std::ptrdiff_t>(mesh_.number_of_boundary_points)};
+  }
+
+  // Throws Numerical_error, as start_with() does, if not all samples can be triangulated: a coarse
+  // mesh is without some of them.
+  void check_all_samples(const std::vector<Point_2>& samples) const {
+    Boundary_triangulation<Traits>(samples, all_next_points());
   }
 
   // Replaces the triangulation by triangles_. Returns false if rounding is in the way; the metric

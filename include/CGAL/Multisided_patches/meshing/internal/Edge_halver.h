@@ -51,6 +51,7 @@ public:
     find_long_edges(least, progress);
     add_middles(max_segments, progress);
     find_children();
+    check_number_of_indices((std::max)(points_.size(), first_child_.back()));
     Linked_triangles children;
     children.reserve(first_child_.back() + first_child_.back() / 32); // for those added later
     children.resize(first_child_.back(), boost::container::default_init);

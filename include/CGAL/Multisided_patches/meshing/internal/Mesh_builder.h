@@ -8,7 +8,7 @@
 
 #include <CGAL/Multisided_patches/internal/for_each_index.h>
 #include <CGAL/Multisided_patches/meshing/Mesh_maps.h>
-#include <CGAL/Multisided_patches/meshing/internal/Mesh_topology.h>
+#include <CGAL/Multisided_patches/meshing/internal/Mesh_connectivity.h>
 #include <CGAL/Multisided_patches/meshing/internal/New_elements.h>
 #include <CGAL/Multisided_patches/meshing/internal/Patch_mesh.h>
 #include <CGAL/Multisided_patches/patches/Surface_geometry_3.h>
@@ -35,7 +35,7 @@ void put_if_wanted([[maybe_unused]] const Map& map, [[maybe_unused]] const Key& 
     put(map, key, value);
 }
 
-// Adds patches to a mesh of any kind, to which nothing is joined that it has already.
+// Adds patches to a mesh of any kind. Nothing is joined to what the mesh already has.
 //
 // What a map throws leaves a mesh that is whole, but without some of the properties.
 template <typename ConcurrencyTag, typename FaceGraph, typename Maps>
@@ -45,14 +45,15 @@ class Mesh_builder {
   using Halfedge = typename Elements::Halfedge;
 
 public:
-  Mesh_builder(FaceGraph& mesh, const Maps& maps, const Mesh_topology& topology)
-      : mesh_(mesh), maps_(maps), topology_(topology) {}
+  // The connectivity has to outlive this object.
+  Mesh_builder(FaceGraph& mesh, const Maps& maps, const Mesh_connectivity& connectivity)
+      : mesh_(mesh), maps_(maps), connectivity_(connectivity) {}
 
-  // Those whose domain meshes the topology is made of.
+  // Adds the patches whose domain meshes the connectivity is made of, in the same order.
   template <typename Patch>
   void add(const std::vector<Patch_mesh<Patch>>& patches) {
-    const Elements elements(mesh_, topology_.number_of_vertices(), topology_.number_of_edges(),
-                            topology_.number_of_triangles());
+    const Elements elements(mesh_, connectivity_.number_of_vertices(),
+                            connectivity_.number_of_edges(), connectivity_.number_of_triangles());
     link_triangles(elements);
     link_vertices(elements);
     link_border(elements);
@@ -65,20 +66,20 @@ public:
 
 private:
   Halfedge halfedge(const Elements& elements, std::size_t corner) const {
-    return elements.halfedge(topology_.halfedge(corner));
+    return elements.halfedge(connectivity_.halfedge(corner));
   }
   auto vertex(const Elements& elements, std::size_t corner) const {
-    return elements.vertex(topology_.vertex(corner));
+    return elements.vertex(connectivity_.vertex(corner));
   }
 
   // ------------------------------------------------------------------------------------- linking
 
   void link_triangles(const Elements& elements) {
-    for_each_index<Concurrency>(topology_.number_of_triangles(), [&](std::size_t t) {
+    for_each_index<Concurrency>(connectivity_.number_of_triangles(), [&](std::size_t t) {
       const auto face = elements.face(t);
       for (std::size_t c = 3 * t; c < 3 * t + 3; ++c) {
         const Halfedge h = halfedge(elements, c);
-        const std::size_t next = Mesh_topology::next_corner(c);
+        const std::size_t next = Mesh_connectivity::next_corner(c);
         set_target(h, vertex(elements, next), mesh_);
         set_next(h, halfedge(elements, next), mesh_);
         set_face(h, face, mesh_);
@@ -88,23 +89,23 @@ private:
   }
 
   void link_vertices(const Elements& elements) {
-    for_each_index<Concurrency>(topology_.number_of_vertices(), [&](std::size_t v) {
-      const auto c = topology_.corner_at(v);
-      if (c != Mesh_topology::none)
-        set_halfedge(elements.vertex(v), halfedge(elements, Mesh_topology::previous_corner(c)),
+    for_each_index<Concurrency>(connectivity_.number_of_vertices(), [&](std::size_t v) {
+      const auto c = connectivity_.corner_at(v);
+      if (c != Mesh_connectivity::none)
+        set_halfedge(elements.vertex(v), halfedge(elements, Mesh_connectivity::previous_corner(c)),
                      mesh_);
     });
   }
 
   void link_border(const Elements& elements) {
     const auto none = boost::graph_traits<FaceGraph>::null_face();
-    for (const auto c : topology_.border()) {
+    for (const auto c : connectivity_.border()) {
       const Halfedge h = opposite(halfedge(elements, c), mesh_);
       set_target(h, vertex(elements, c), mesh_);
       set_face(h, none, mesh_);
       set_halfedge(vertex(elements, c), h, mesh_);
     }
-    for (const auto c : topology_.border()) {
+    for (const auto c : connectivity_.border()) {
       const Halfedge h = opposite(halfedge(elements, c), mesh_);
       // Around the vertex where it ends, from face to face, up to the next one on the border.
       Halfedge other = halfedge(elements, c);
@@ -121,9 +122,9 @@ private:
   void put_points(const Elements& elements, const std::vector<Patch_mesh<Patch>>& patches) {
     const auto points = get(CGAL::vertex_point, mesh_);
     for (std::size_t p = 0; p < patches.size(); ++p) {
-      const std::vector<std::size_t>& numbers = topology_.numbers(p);
+      const std::vector<std::size_t>& numbers = connectivity_.numbers(p);
       for_each_index<Concurrency>(numbers.size(), [&](std::size_t k) {
-        if (topology_.is_new(p, numbers[k]))
+        if (connectivity_.is_new(p, numbers[k]))
           put(points, elements.vertex(numbers[k]), patches[p].vertices[k].point);
       });
     }
@@ -133,9 +134,9 @@ private:
   void put_vertex_properties(const Elements& elements, const Patch_mesh<Patch>& patch,
                              std::size_t index) {
     const auto& mesh = *patch.domain_mesh;
-    const std::vector<std::size_t>& numbers = topology_.numbers(index);
+    const std::vector<std::size_t>& numbers = connectivity_.numbers(index);
     for (std::size_t k = 0; k < numbers.size(); ++k) {
-      if (!topology_.is_new(index, numbers[k]))
+      if (!connectivity_.is_new(index, numbers[k]))
         continue;
       const auto v = elements.vertex(numbers[k]);
       put_if_wanted(maps_.normal, v, patch.vertices[k].normal);
@@ -154,9 +155,9 @@ private:
   template <typename Patch>
   void put_triangle_properties(const Elements& elements, const Patch_mesh<Patch>& patch,
                                std::size_t index) {
-    const std::size_t first = topology_.first_triangle(index);
+    const std::size_t first = connectivity_.first_triangle(index);
     if constexpr (is_wanted<decltype(Maps::patch)>)
-      for (std::size_t t = first; t < topology_.first_triangle(index + 1); ++t)
+      for (std::size_t t = first; t < connectivity_.first_triangle(index + 1); ++t)
         put(maps_.patch, elements.face(t), index);
     if constexpr (is_wanted<decltype(Maps::side)>) {
       const auto& triangles = patch.domain_mesh->triangles;
@@ -186,7 +187,7 @@ private:
 
   FaceGraph& mesh_;
   Maps maps_;
-  const Mesh_topology& topology_;
+  const Mesh_connectivity& connectivity_;
 };
 
 } // namespace internal

@@ -6,9 +6,11 @@
 #ifndef CGAL_MULTISIDED_PATCHES_MESHING_INTERNAL_METRIC_AT_POINTS_H
 #define CGAL_MULTISIDED_PATCHES_MESHING_INTERNAL_METRIC_AT_POINTS_H
 
+#include <CGAL/Multisided_patches/internal/Linked_triangle.h>
 #include <CGAL/Multisided_patches/meshing/internal/Metric_2.h>
 
-#include <array>
+#include <boost/container/vector.hpp>
+
 #include <cstddef>
 #include <vector>
 
@@ -19,7 +21,7 @@ namespace internal {
 // What a metric is at the points of a mesh.
 //
 // Field is a function that gives the metric at a point; Metric_2 operator()(Uv, std::size_t& hint)
-// gets as a hint what it left behind at a point close by.
+// gets as a hint what it left behind at a point close by, such as the number of a triangle.
 template <typename Field>
 class Metric_at_points {
 public:

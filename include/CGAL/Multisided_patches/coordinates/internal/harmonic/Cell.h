@@ -28,8 +28,8 @@ inline int size(const Cell& cell) {
   return std::visit([](const auto& c) { return c.size(); }, cell);
 }
 
-inline double resolution(const Cell& cell) {
-  return std::visit([](const auto& c) { return c.resolution(); }, cell);
+inline double resolution(const Cell& cell, const Complex& z) {
+  return std::visit([&](const auto& c) { return c.resolution(z); }, cell);
 }
 
 template <int Order, typename Real>

@@ -33,11 +33,13 @@ public:
         origin + d1 * (map.height() * std::cos(beta)) * Complex(-std::tan(beta / 2), 1);
     abscissa_[0] = dot(origin - boundary.vertex(e1), d1);
     abscissa_[1] = dot(above - boundary.vertex(e2), d2);
-    resolution_ = 1.5 * degree * std::abs(map.derivative(Complex(map.abscissa(range.low))));
   }
 
   int size() const { return 2 * degree_; }
-  double resolution() const { return resolution_; }
+  // In a wedge the basis oscillates the faster the narrower the wedge is.
+  double resolution(const Complex& z) const {
+    return 1.5 * degree_ * std::abs(map_.derivative(map_.local(z)));
+  }
 
   template <int Order, typename Real>
   void basis(const std::complex<Real>& z, Analytic<Order, Real>* f) const {
@@ -127,7 +129,6 @@ private:
   Strip_map map_;
   Interval range_;
   int degree_;
-  double resolution_;
 };
 
 } // namespace harmonic

@@ -33,7 +33,7 @@ public:
   }
 
   int size() const { return size_; }
-  double resolution() const { return size_ / (angle_ * radius_); }
+  double resolution(const Complex&) const { return size_ / (angle_ * radius_); }
 
   template <int Order, typename Real>
   void basis(const std::complex<Real>& z, Analytic<Order, Real>* f) const {

@@ -112,7 +112,6 @@ public:
   double oversampling() const { return oversampling_; }
 
   Interface_equations assemble(const Interface& face, Points points) const {
-    const double finest = finest_resolution(face);
     Interface_equations result;
     for (const int i : {0, 1})
       add_vertices(cells_[face.cell[i]], face.edges.front().a, result.vertices);
@@ -123,10 +122,11 @@ public:
     std::vector<Analytic<1>> basis;
     Index row = 0;
     for (const Segment& s : face.edges) {
-      const Complex d = s.b - s.a, normal = Complex(0, -1) * d / (std::abs(d) * finest);
+      const Complex d = s.b - s.a, normal = Complex(0, -1) * d / std::abs(d);
       for (const double t : parameters(number_of_points(s, face), points)) {
+        const Complex z = s.a + t * d, scaled_normal = normal / finest_resolution(face, z);
         for (const int i : {0, 1})
-          add_equations(cells_[face.cell[i]], i == 0 ? 1 : -1, s.a + t * d, normal, row,
+          add_equations(cells_[face.cell[i]], i == 0 ? 1 : -1, z, scaled_normal, row,
                         result.rows[i], basis, result);
         row += 2;
       }
@@ -151,15 +151,16 @@ private:
   }
 
   // of the bases of both cells
-  double finest_resolution(const Interface& face) const {
-    return (std::max)(resolution(cells_[face.cell[0]]), resolution(cells_[face.cell[1]]));
+  double finest_resolution(const Interface& face, const Complex& z) const {
+    return (std::max)(resolution(cells_[face.cell[0]], z), resolution(cells_[face.cell[1]], z));
   }
 
   // Enough for the oscillations, but not many times the number of unknowns: in a sharp corner, the
   // high powers live near the outer end of an edge only, where the Gauss points accumulate.
   std::size_t number_of_points(const Segment& s, const Interface& face) const {
     const int unknowns = size(cells_[face.cell[0]]) + size(cells_[face.cell[1]]);
-    const double oscillations = std::abs(s.b - s.a) * finest_resolution(face);
+    const double finest = (std::max)(finest_resolution(face, s.a), finest_resolution(face, s.b)),
+                 oscillations = std::abs(s.b - s.a) * finest;
     return static_cast<std::size_t>(
         (std::max)(3., std::ceil(oversampling_ * (std::min)(oscillations, 2. * unknowns))));
   }

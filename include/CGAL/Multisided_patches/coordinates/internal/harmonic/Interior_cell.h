@@ -22,8 +22,8 @@ public:
       : centre_(centre), radius_(radius), degree_(degree) {}
 
   int size() const { return 2 * degree_ + 1; }
-  // how fast the basis oscillates: radians per unit of length
-  double resolution() const { return degree_ / radius_; }
+  // how fast the basis oscillates around z: radians per unit of length
+  double resolution(const Complex&) const { return degree_ / radius_; }
 
   template <int Order, typename Real>
   void basis(const std::complex<Real>& z, Analytic<Order, Real>* f) const {

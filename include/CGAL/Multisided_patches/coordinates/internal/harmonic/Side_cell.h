@@ -30,7 +30,7 @@ public:
         parameter_slope_(radius / boundary.length(side)) {}
 
   int size() const { return degree_; }
-  double resolution() const { return degree_ * std::abs(to_local_); }
+  double resolution(const Complex&) const { return degree_ * std::abs(to_local_); }
 
   template <int Order, typename Real>
   void basis(const std::complex<Real>& z, Analytic<Order, Real>* f) const {

@@ -143,7 +143,7 @@ inline Orthonormal_basis orthonormalize(Matrix a) {
       u = shifted_cholesky(result.gram);
     solve_upper_from_right(*u, a);
     if (pass == 0) {
-      result.r = std::move(*u) * norms.asDiagonal();
+      result.r = *u * norms.asDiagonal();
     } else {
       Matrix product;
       add_product(1, *u, result.r, product);

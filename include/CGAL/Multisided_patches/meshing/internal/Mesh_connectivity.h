@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_MULTISIDED_PATCHES_MESHING_INTERNAL_MESH_TOPOLOGY_H
-#define CGAL_MULTISIDED_PATCHES_MESHING_INTERNAL_MESH_TOPOLOGY_H
+#ifndef CGAL_MULTISIDED_PATCHES_MESHING_INTERNAL_MESH_CONNECTIVITY_H
+#define CGAL_MULTISIDED_PATCHES_MESHING_INTERNAL_MESH_CONNECTIVITY_H
 
 #include <CGAL/Multisided_patches/errors.h>
 #include <CGAL/Multisided_patches/internal/for_each_index.h>
@@ -26,7 +26,7 @@ namespace internal {
 // numbers, and nothing of where they are.
 //
 // Corner c = 3 t + i is that of triangle t at its vertex i; it has the edge that starts there.
-class Mesh_topology {
+class Mesh_connectivity {
 public:
   using Index = Corner_table::Index;
   static constexpr Index none = Corner_table::none;
@@ -36,8 +36,8 @@ public:
   //
   // Throws Input_error if there are too many triangles.
   template <typename Traits, typename ConcurrencyTag>
-  Mesh_topology(const std::vector<const Domain_mesh_2<Traits>*>& meshes,
-                std::vector<std::vector<std::size_t>> numbers, ConcurrencyTag concurrency)
+  Mesh_connectivity(const std::vector<const Domain_mesh_2<Traits>*>& meshes,
+                    std::vector<std::vector<std::size_t>> numbers, ConcurrencyTag concurrency)
       : numbers_(std::move(numbers)) {
     count_elements(meshes);
     collect_triangles<ConcurrencyTag>(meshes);
@@ -130,4 +130,4 @@ private:
 } // namespace Multisided_patches
 } // namespace CGAL
 
-#endif // CGAL_MULTISIDED_PATCHES_MESHING_INTERNAL_MESH_TOPOLOGY_H
+#endif // CGAL_MULTISIDED_PATCHES_MESHING_INTERNAL_MESH_CONNECTIVITY_H
