@@ -84,13 +84,14 @@ Domain_mesh halved_mesh(const Domain& domain, const Side_parameters& sides, cons
 // -------------------------------------------------------------------------------------- regions
 
 // Two triangles in each square of a grid of n x n.
-Linked_triangles grid(std::size_t n) {
-  const auto vertex = [&](std::size_t i, std::size_t j) { return j * (n + 1) + i; };
+Linked_triangles grid(Linked_triangle::Index n) {
+  using Index = Linked_triangle::Index;
+  const auto vertex = [&](Index i, Index j) { return j * (n + 1) + i; };
   Linked_triangles mesh;
-  constexpr std::size_t none = Linked_triangle::none;
-  for (std::size_t j = 0; j < n; ++j)
-    for (std::size_t i = 0; i < n; ++i) {
-      const std::size_t lower = 2 * (j * n + i), upper = lower + 1;
+  constexpr Index none = Linked_triangle::none;
+  for (Index j = 0; j < n; ++j)
+    for (Index i = 0; i < n; ++i) {
+      const Index lower = 2 * (j * n + i), upper = lower + 1;
       mesh.push_back({{vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1)},
                       {i + 1 < n ? lower + 3 : none, upper, j > 0 ? upper - 2 * n : none}});
       mesh.push_back({{vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1)},
