@@ -38,7 +38,8 @@ struct Tessellation_visitor {
    * \param stage what is being done
    * \param done,total how much of it is done, in points; the total may be an estimate, and grow.
    * Each patch of a complex tells about itself, and stages come again if a mesh is made several
-   * times
+   * times, or lengths on the surface are measured for it. So the ratio of the two is no share of
+   * the whole: it goes back at times, and large meshes jump from a small ratio to 1
    *
    * \return whether to go on; if not, a `Cancelled` exception is thrown, and the mesh of the caller
    * stays as it was

@@ -139,14 +139,13 @@ inline Orthonormal_basis orthonormalize(Matrix a) {
       a = with_penalty_rows(a);
       u.reset(); // the penalty is below the rounding of the Gram matrix
     }
-    if (!u)
-      u = shifted_cholesky(result.gram);
-    solve_upper_from_right(*u, a);
+    const Matrix factor = u ? std::move(*u) : shifted_cholesky(result.gram);
+    solve_upper_from_right(factor, a);
     if (pass == 0) {
-      result.r = *u * norms.asDiagonal();
+      result.r = factor * norms.asDiagonal();
     } else {
       Matrix product;
-      add_product(1, *u, result.r, product);
+      add_product(1, factor, result.r, product);
       result.r = std::move(product);
     }
   }
