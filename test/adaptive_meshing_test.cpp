@@ -219,7 +219,7 @@ TEST_CASE("Adaptive meshes have no sharp triangles where nothing forces them") {
 }
 
 TEST_CASE("Next to reflex corners, where parameters run unevenly, sharp triangles are mended") {
-  for (const char* name : {"l_bracket", "plus_hub", "star_knob"})
+  for (const char* name : {"l_bracket", "mixed_duct", "plus_hub", "star_knob", "t_junction"})
     for (const double relative : {1e-3, 1e-4}) {
       CAPTURE(name, relative);
       const Patch patch(read_model(name));

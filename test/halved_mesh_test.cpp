@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "catch.h"
+#include "linked_mesh_fixtures.h"
 #include "polygon_fixtures.h"
 
 #include <CGAL/Multisided_patches/meshing/internal/Domain_mesher.h>
@@ -82,39 +83,6 @@ Domain_mesh halved_mesh(const Domain& domain, const Side_parameters& sides, cons
 }
 
 // -------------------------------------------------------------------------------------- regions
-
-// Two triangles in each square of a grid of n x n.
-Linked_triangles grid(Linked_triangle::Index n) {
-  using Index = Linked_triangle::Index;
-  const auto vertex = [&](Index i, Index j) { return j * (n + 1) + i; };
-  Linked_triangles mesh;
-  constexpr Index none = Linked_triangle::none;
-  for (Index j = 0; j < n; ++j)
-    for (Index i = 0; i < n; ++i) {
-      const Index lower = 2 * (j * n + i), upper = lower + 1;
-      mesh.push_back({{vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1)},
-                      {i + 1 < n ? lower + 3 : none, upper, j > 0 ? upper - 2 * n : none}});
-      mesh.push_back({{vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1)},
-                      {j + 1 < n ? lower + 2 * n : none, i > 0 ? lower - 2 : none, lower}});
-    }
-  return mesh;
-}
-
-bool is_linked_well(const Linked_triangles& mesh) {
-  for (std::size_t t = 0; t < mesh.size(); ++t)
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t n = mesh[t].neighbors[i];
-      if (n == Linked_triangle::none)
-        continue;
-      const auto& back = mesh[n].neighbors;
-      const auto j =
-          static_cast<std::size_t>(std::find(back.begin(), back.end(), t) - back.begin());
-      if (j == 3 || mesh[n].vertices[(j + 1) % 3] != mesh[t].vertices[(i + 2) % 3] ||
-          mesh[n].vertices[(j + 2) % 3] != mesh[t].vertices[(i + 1) % 3])
-        return false;
-    }
-  return true;
-}
 
 // How many triangles `rings` rings around some triangles have, by definition.
 std::size_t count_with_rings(const Linked_triangles& mesh, std::vector<char> is_inside, int rings) {

@@ -119,6 +119,15 @@ TEST_CASE("Triangles are well shaped on the surface, however stretched the param
           Approx(target).epsilon(0.05));
 }
 
+TEST_CASE("Triangles are well shaped next to reflex corners, too, where parameters run unevenly") {
+  for (const std::string& name : model_names())
+    for (const std::size_t count : {2000, 12000, 60000}) {
+      CAPTURE(name, count);
+      const Mesh mesh = tessellated(Patch(read_model(name)), MP::Mesh_density::triangles(count));
+      CHECK(MP::check_mesh(mesh).smallest_angle > 20.7);
+    }
+}
+
 TEST_CASE("Vertices carry unit normals that fit the triangles, and their place in the domain") {
   const Patch patch(lifted_loop(l_shape(), bowl));
   const Mesh mesh = tessellated(patch, MP::Mesh_density::triangles(5000));

@@ -16,6 +16,7 @@
 #include <CGAL/Multisided_patches/meshing/internal/Edge_halver.h>
 #include <CGAL/Multisided_patches/meshing/internal/Metric_refiner.h>
 #include <CGAL/Multisided_patches/meshing/internal/refine_where_needed.h>
+#include <CGAL/Multisided_patches/meshing/internal/refine_where_steep.h>
 
 #include <CGAL/assertions.h>
 
@@ -133,6 +134,16 @@ public:
     }
   }
 
+  // Measures the field anew where it changes fast, and refines and mends the mesh there; for
+  // `remeasure` and `mend` see the function of this name. The metric is not that of the mesh any
+  // more then.
+  template <typename Progress, typename Remeasure, typename Mend>
+  void refine_where_steep(std::size_t max_points, const Progress& progress,
+                          const Remeasure& remeasure, const Mend& mend) {
+    end_triangulation();
+    internal::refine_where_steep(mesh_, metric_, triangles_, remeasure, mend, max_points, progress);
+  }
+
   // pre: edges have not been halved
   void keep_off_sides(double share_of_length) {
     CGAL_precondition(refiner_.has_value());
@@ -159,10 +170,7 @@ public:
 
   // The finished mesh. Ends the use of this object.
   Mesh finish() {
-    if (triangulation_) {
-      triangles_ = triangulation_->triangles();
-      triangulation_.reset();
-    }
+    end_triangulation();
     run_both<ConcurrencyTag>(
         [&] {
           mesh_.triangles.reserve(triangles_.size());
@@ -198,9 +206,7 @@ private:
     const std::size_t expected = expected_triangles();
     mesh_.points.reserve(expected * 5 / 9);
     metric_.reserve(expected * 5 / 9);
-    triangles_ = triangulation_->triangles();
-    refiner_.reset();
-    triangulation_.reset();
+    end_triangulation();
     Edge_halver<Traits, Field, ConcurrencyTag> halver(mesh_.points, metric_, triangles_, segments_);
     for (std::size_t length = std::size_t(1) << halvings_; length > 1; length /= 2) {
       if (length >= 4 && length < std::size_t(1) << halvings_) { // few points in comparison
@@ -279,6 +285,15 @@ private:
     refiner_.reset();
     triangulation_.emplace(mesh_.points, structure);
     refiner_.emplace(*triangulation_, mesh_.points, metric_, mesh_.number_of_boundary_points);
+  }
+
+  // From now on the triangles are in triangles_.
+  void end_triangulation() {
+    if (!triangulation_)
+      return;
+    triangles_ = triangulation_->triangles();
+    refiner_.reset();
+    triangulation_.reset();
   }
 
   // --------------------------------------------------------------------------------- the boundary

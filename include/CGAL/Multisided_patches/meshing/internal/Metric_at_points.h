@@ -59,8 +59,7 @@ public:
 
   // The metric at some of the points, in their order.
   Metric_at_points part(const std::vector<std::size_t>& points) const {
-    Metric_at_points result(*field_);
-    result.scale_ = scale_;
+    Metric_at_points result = with_field(*field_);
     for (const std::size_t k : points)
       result.copy(*this, k);
     return result;
@@ -71,6 +70,13 @@ public:
     hints_.push_back(other.hints_[k]);
   }
 
+  const Field& field() const { return *field_; }
+  // No points, but the unit of lengths, and another field.
+  Metric_at_points with_field(const Field& field) const {
+    Metric_at_points result(field);
+    result.scale_ = scale_;
+    return result;
+  }
   // Replaces the field; then the metric has to be set anew at all points.
   void set_field(const Field& field) { field_ = &field; }
 

@@ -13,6 +13,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -22,8 +23,8 @@ namespace CGAL {
 namespace Multisided_patches {
 namespace internal {
 
-// Moves vertices of triangles that are sharp on the surface, whatever a metric made of them, as
-// long as the deviations from the surface stay within their bounds.
+// Flips edges and moves vertices of triangles that are sharp on the surface, whatever a metric made
+// of them, as long as the deviations from the surface stay within their bounds.
 template <typename Surface, typename Meter>
 class Sharp_triangle_mender {
 public:
@@ -40,34 +41,47 @@ public:
 
   // Returns the vertices that were moved.
   //
-  // Every try costs some hundred points of the surface; so a vertex is tried again only if
-  // something around it has changed, and where sharp triangles abound not all are tried.
+  // Every move that is tried costs some hundred points of the surface; so a vertex is tried again
+  // only if something around it has changed, and where sharp triangles abound not all are tried.
   std::vector<std::size_t> mend() {
     constexpr int sweeps = 3;
     std::size_t tries = 100 + mesh_.triangles.size() / 5;
     std::vector<std::size_t> moved;
     std::vector<char> is_settled(triangle_of_.size(), false);
     std::fill_n(is_settled.begin(), number_of_boundary_vertices_, true);
+    const auto unsettle = [&](std::size_t t) {
+      for (const std::size_t v : mesh_.triangles[t].vertices)
+        is_settled[v] = v < number_of_boundary_vertices_;
+    };
     for (int k = 0; k < sweeps; ++k)
-      for (const Linked_triangle& t : mesh_.triangles)
-        if (smallest_angle(t) < sharp)
-          for (const std::size_t v : t.vertices) {
-            if (is_settled[v] || tries == 0)
-              continue;
-            --tries;
-            is_settled[v] = true;
-            const std::vector<std::size_t> star = triangles_around(v);
-            if (!nudge(v, star))
-              continue;
-            moved.push_back(v);
-            for (const std::size_t s : star)
-              for (const std::size_t w : mesh_.triangles[s].vertices)
-                is_settled[w] = w < number_of_boundary_vertices_;
-          }
+      for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+        if (!(smallest_angle(mesh_.triangles[t]) < sharp))
+          continue;
+        if (const std::size_t n = flip_an_edge(t); n != Linked_triangle::none) {
+          unsettle(t);
+          unsettle(n);
+          continue;
+        }
+        for (const std::size_t v : mesh_.triangles[t].vertices) {
+          if (is_settled[v] || tries == 0)
+            continue;
+          --tries;
+          is_settled[v] = true;
+          const std::vector<std::size_t> star = triangles_around(v);
+          if (!nudge(v, star))
+            continue;
+          moved.push_back(v);
+          std::for_each(star.begin(), star.end(), unsettle);
+        }
+      }
     return moved;
   }
 
 private:
+  // Up to here deviations between the samples hardly ever are larger than at them by more than the
+  // reserve.
+  static constexpr double safe_excess = 0.95;
+
   using Kernel = Exact_predicates_inexact_constructions_kernel;
 
   static constexpr double sharp = 24 * pi / 180;
@@ -127,6 +141,81 @@ private:
     return largest;
   }
 
+  // --------------------------------------------------------------------------------------- flips
+
+  // Flips an edge of triangle t if that makes the sharpest angle there less sharp. Returns the
+  // triangle behind it, or `none` if there is no such edge.
+  std::size_t flip_an_edge(std::size_t t) {
+    for (int i = 0; i < 3; ++i) {
+      const std::size_t n = mesh_.triangles[t].neighbors[i];
+      if (n != Linked_triangle::none && flip_if_better(t, i))
+        return n;
+    }
+    return Linked_triangle::none;
+  }
+
+  // Of the edge opposite to corner i of triangle t.
+  bool flip_if_better(std::size_t t, int i) {
+    const std::size_t n = mesh_.triangles[t].neighbors[i];
+    const std::array<Linked_triangle, 2> old{mesh_.triangles[t], mesh_.triangles[n]},
+        flipped = flipped_pair(t, i);
+    if (!is_positive(flipped[0]) || !is_positive(flipped[1]) ||
+        !(smallest_angle(flipped) > smallest_angle(old)))
+      return false;
+    const double allowed = (std::max)(safe_excess, largest_excess({t, n}));
+    replace_pair(t, n, flipped);
+    if (largest_excess({t, n}) <= allowed)
+      return true;
+    replace_pair(t, n, old);
+    return false;
+  }
+
+  // What the triangles on both sides of an edge become if it is flipped.
+  std::array<Linked_triangle, 2> flipped_pair(std::size_t t, int i) const {
+    const std::size_t n = mesh_.triangles[t].neighbors[i];
+    const Linked_triangle &a = mesh_.triangles[t], &b = mesh_.triangles[n];
+    const auto j = std::find(b.neighbors.begin(), b.neighbors.end(), t) - b.neighbors.begin();
+    // The quadrilateral is v, p, w, q; the edge from p to q gives way to that from v to w.
+    const auto v = a.vertices[i], p = a.vertices[(i + 1) % 3], q = a.vertices[(i + 2) % 3],
+               w = b.vertices[j];
+    Linked_triangle first, second;
+    first.vertices = {v, p, w};
+    first.neighbors = {b.neighbors[(j + 1) % 3], static_cast<Linked_triangle::Index>(n),
+                       a.neighbors[(i + 2) % 3]};
+    second.vertices = {v, w, q};
+    second.neighbors = {b.neighbors[(j + 2) % 3], a.neighbors[(i + 1) % 3],
+                        static_cast<Linked_triangle::Index>(t)};
+    return {first, second};
+  }
+
+  // Puts two triangles in the places of others with the same border.
+  void replace_pair(std::size_t t, std::size_t n, const std::array<Linked_triangle, 2>& pair) {
+    const std::array<std::size_t, 2> numbers{t, n};
+    for (int k = 0; k < 2; ++k) {
+      mesh_.triangles[numbers[k]] = pair[k];
+      for (int i = 0; i < 3; ++i) {
+        triangle_of_[pair[k].vertices[i]] = numbers[k];
+        link(pair[k].neighbors[i], pair[k].vertices[(i + 2) % 3], numbers[k]);
+      }
+    }
+  }
+  // Makes a triangle the neighbour of another one, if there is one, across the edge that starts at
+  // a vertex.
+  void link(std::size_t other, std::size_t start_of_edge, std::size_t triangle) {
+    if (other == Linked_triangle::none)
+      return;
+    Linked_triangle& t = mesh_.triangles[other];
+    for (int i = 0; i < 3; ++i)
+      if (t.vertices[(i + 1) % 3] == start_of_edge)
+        t.neighbors[i] = static_cast<Linked_triangle::Index>(triangle);
+  }
+
+  double smallest_angle(const std::array<Linked_triangle, 2>& pair) const {
+    return (std::min)(smallest_angle(pair[0]), smallest_angle(pair[1]));
+  }
+
+  // --------------------------------------------------------------------------------------- moves
+
   struct Move {
     Uv uv;
     Vec3 position;
@@ -166,14 +255,11 @@ private:
   // Returns whether there is a move that helps; then the vertex has moved.
   bool nudge(std::size_t v, const std::vector<std::size_t>& star) {
     constexpr std::size_t max_moves = 4;
-    // Up to here deviations between the samples hardly ever are larger than at them by more than
-    // the reserve.
-    constexpr double safe = 0.95;
     std::vector<Move> moves = find_moves(v, star);
     if (moves.empty())
       return false;
     const Move now{mesh_.uv[v], mesh_.positions[v], 0};
-    const double allowed = (std::max)(safe, largest_excess(star));
+    const double allowed = (std::max)(safe_excess, largest_excess(star));
     moves.resize((std::min)(moves.size(), max_moves));
     for (const Move& move : moves) {
       apply(v, move);

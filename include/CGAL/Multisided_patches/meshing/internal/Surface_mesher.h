@@ -88,9 +88,17 @@ public:
       metric.set_edge_length(length_);
       return std::make_optional(std::move(metric));
     };
+    const auto mend = [&](Mesh& part, Linked_triangles& triangles, std::size_t fixed_points) {
+      Sampled_mesh sampled;
+      sample(part, std::move(triangles), sampled);
+      mend_sharp_triangles(part, fixed_points, sampled,
+                           Meter(surface_, infinity, infinity, reserve));
+      triangles = std::move(sampled.triangles);
+    };
     with_limit(*mesher_, expected_points(metric_, sides_),
                [&](std::size_t limit, const auto& progress) {
                  mesher_->halve_edges(limit, progress, remeasure, keep);
+                 mesher_->refine_where_steep(limit, progress, remeasure, mend);
                });
     return mesher_->finish();
   }
@@ -124,7 +132,13 @@ public:
           (do_few_exceed(excess) && expected_triangles(next, sides) >=
                                         0.8 * static_cast<double>(sampled.triangles.size()))) {
         refine_where_exceeded(mesher, meter, sampled, excess);
-        return mend_sharp_triangles(mesher.finish(), meter, sampled);
+        Mesh mesh = mesher.finish();
+        mend_sharp_triangles(mesh, mesh.number_of_boundary_points, sampled, meter);
+        for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+          const auto& v = sampled.triangles[t].vertices;
+          mesh.triangles[t] = {v[0], v[1], v[2]};
+        }
+        return mesh;
       }
       hints = vertex_hints(next, sides);
       metric = std::move(next);
@@ -323,12 +337,12 @@ private:
     }
   }
 
-  Mesh mend_sharp_triangles(Mesh mesh, const Meter& meter, Sampled_mesh& sampled) const {
-    Sharp_triangle_mender<Surface, Meter> mender(surface_, meter, sampled,
-                                                 mesh.number_of_boundary_points);
+  // The first points stay where they are.
+  void mend_sharp_triangles(Mesh& mesh, std::size_t fixed_points, Sampled_mesh& sampled,
+                            const Meter& meter) const {
+    Sharp_triangle_mender<Surface, Meter> mender(surface_, meter, sampled, fixed_points);
     for (const std::size_t v : mender.mend())
       mesh.points[v] = Point_2(sampled.uv[v].x, sampled.uv[v].y);
-    return mesh;
   }
 
   using Corners = Linked_triangle::Indices; // in increasing order

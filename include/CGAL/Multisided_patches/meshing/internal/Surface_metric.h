@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace CGAL {
@@ -105,12 +106,47 @@ public:
   // A triangle with the vertex, to start searching from.
   std::size_t triangle_at(std::size_t vertex) const { return face_of_[vertex]; }
 
+  // For each triangle whether lengths in it change so fast that a finer mesh needs to know them
+  // better: squared ones by more than half from corner to corner. Where these abound, the steepest
+  // ones.
+  std::vector<char> steep_triangles() const {
+    constexpr double steep = 0.5, max_share = 0.05;
+    constexpr std::size_t few = 1000;
+    std::vector<double> changes(triangles_.size());
+    for (std::size_t t = 0; t < triangles_.size(); ++t)
+      changes[t] = change(triangles_[t].vertices);
+    double least = steep;
+    const auto most =
+        (std::max)(few, static_cast<std::size_t>(max_share * static_cast<double>(changes.size())));
+    if (most < changes.size()) {
+      std::vector<double> sorted = changes;
+      const auto nth = sorted.begin() + static_cast<std::ptrdiff_t>(most);
+      std::nth_element(sorted.begin(), nth, sorted.end(), std::greater<double>());
+      least = (std::max)(least, *nth);
+    }
+    std::vector<char> is_steep(changes.size());
+    std::transform(changes.begin(), changes.end(), is_steep.begin(),
+                   [&](double c) { return c > least; });
+    return is_steep;
+  }
+
   // A length of the surface between two vertices along an edge.
   double length(std::size_t v, std::size_t w) const {
     return (0.5 * (forms_[v] + forms_[w])).norm(uv_[w] - uv_[v]);
   }
 
 private:
+  // By how much squared lengths differ at the corners of a triangle, relative to the shorter ones.
+  double change(const Linked_triangle::Indices& v) const {
+    double largest = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Metric_2 &a = forms_[v[i]], &b = forms_[v[(i + 1) % 3]];
+      const double difference = std::abs(a.E - b.E) + 2 * std::abs(a.F - b.F) + std::abs(a.G - b.G);
+      largest = (std::max)(largest, difference / (std::min)(a.E + a.G, b.E + b.G));
+    }
+    return largest;
+  }
+
   // 1 for equilateral triangles, 0 for flat ones.
   double quality(const Linked_triangle::Indices& v) const {
     const Metric_triangle t({uv_[v[0]], uv_[v[1]], uv_[v[2]]}, Metric_2{1, 0, 1});

@@ -47,6 +47,46 @@ std::vector<char> find_bad_triangles(const std::vector<Point_2>& points,
   return is_bad;
 }
 
+// Refines a part of a mesh and smooths it before and after; the first points, those on its border,
+// stay as they are. New points are appended, up to `max_points` in all. Returns the triangles. Now
+// and then it calls progress(number of points), which may throw.
+template <typename Traits, typename Field, typename Progress>
+Linked_triangles refine_part(std::vector<typename Traits::Point_2>& points,
+                             Metric_at_points<Field>& metric, const Linked_triangles& triangles,
+                             std::size_t number_of_border_points, std::size_t max_points,
+                             const Progress& progress) {
+  constexpr int sweeps = 5;
+  Boundary_triangulation<Traits> triangulation(points, triangles);
+  Metric_refiner<Traits, Field> refiner(triangulation, points, metric, number_of_border_points);
+  refiner.smooth_where_sharp(sweeps, progress);
+  refiner.refine(max_points, progress);
+  refiner.smooth_where_sharp(sweeps, progress);
+  return triangulation.triangles();
+}
+
+template <typename Point_2>
+std::vector<Point_2> points_of(const Mesh_region& region, const std::vector<Point_2>& points) {
+  std::vector<Point_2> result;
+  result.reserve(region.points().size());
+  for (const std::size_t k : region.points())
+    result.push_back(points[k]);
+  return result;
+}
+
+// Puts a region back into the mesh that it is from, once it has other triangles, its points have
+// moved, and new ones have been appended.
+template <typename Point_2>
+void put_back(Mesh_region& region, const std::vector<Point_2>& region_points,
+              const Linked_triangles& region_triangles, std::vector<Point_2>& points,
+              Linked_triangles& triangles) {
+  region.replace(region_triangles, points.size(), triangles);
+  const std::size_t old = region.points().size();
+  for (std::size_t k = 0; k < old; ++k)
+    points[region.points()[k]] = region_points[k];
+  points.insert(points.end(), region_points.begin() + static_cast<std::ptrdiff_t>(old),
+                region_points.end());
+}
+
 // Refines and smooths a mesh, but looks at no more of it than the surroundings of bad triangles.
 // Points on the boundary stay as they are; new ones are appended, up to `max_points` in all. Now
 // and then it calls progress(number of points), which may throw.
@@ -55,34 +95,20 @@ void refine_where_needed(std::vector<typename Traits::Point_2>& points,
                          Metric_at_points<Field>& metric, Linked_triangles& triangles,
                          std::size_t max_points, const Progress& progress) {
   // Points of sharp triangles are moved, and those around them.
-  constexpr int rings = 3, sweeps = 5;
+  constexpr int rings = 3;
   Mesh_region region(triangles, points.size(),
                      find_bad_triangles<ConcurrencyTag>(points, metric, triangles), rings);
   if (region.triangles().empty())
     return;
-  std::vector<typename Traits::Point_2> region_points;
-  region_points.reserve(region.points().size());
-  for (const std::size_t k : region.points())
-    region_points.push_back(points[k]);
+  std::vector<typename Traits::Point_2> region_points = points_of(region, points);
   Metric_at_points<Field> region_metric = metric.part(region.points());
-
   const std::size_t others = points.size() - region_points.size();
-  const auto region_progress = [&](std::size_t n) { progress(others + n); };
-  Boundary_triangulation<Traits> triangulation(region_points, region.triangles());
-  Metric_refiner<Traits, Field> refiner(triangulation, region_points, region_metric,
-                                        region.number_of_border_points());
-  refiner.smooth_where_sharp(sweeps, region_progress);
-  refiner.refine((std::max)(max_points, others) - others, region_progress);
-  refiner.smooth_where_sharp(sweeps, region_progress);
-
-  region.replace(triangulation.triangles(), points.size(), triangles);
-  for (std::size_t k = 0; k < region_points.size(); ++k)
-    if (k < region.points().size()) {
-      points[region.points()[k]] = region_points[k];
-    } else {
-      points.push_back(region_points[k]);
-      metric.copy(region_metric, k);
-    }
+  const Linked_triangles region_triangles = refine_part<Traits>(
+      region_points, region_metric, region.triangles(), region.number_of_border_points(),
+      (std::max)(max_points, others) - others, [&](std::size_t n) { progress(others + n); });
+  put_back(region, region_points, region_triangles, points, triangles);
+  for (std::size_t k = region.points().size(); k < region_points.size(); ++k)
+    metric.copy(region_metric, k);
 }
 
 } // namespace internal
