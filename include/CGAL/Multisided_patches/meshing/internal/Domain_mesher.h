@@ -141,7 +141,8 @@ public:
   void refine_where_steep(std::size_t max_points, const Progress& progress,
                           const Remeasure& remeasure, const Mend& mend) {
     end_triangulation();
-    internal::refine_where_steep(mesh_, metric_, triangles_, remeasure, mend, max_points, progress);
+    internal::refine_where_steep<ConcurrencyTag>(mesh_, metric_, triangles_, remeasure, mend,
+                                                 max_points, progress);
   }
 
   // pre: edges have not been halved

@@ -29,7 +29,8 @@ namespace internal {
 // `mend(part, triangles, number of points)` is called, which may flip edges and move points other
 // than the first ones. Points on the boundary stay as they are; new ones are appended, up to
 // `max_points` in all. Now and then it calls progress(number of points), which may throw.
-template <typename Traits, typename Field, typename Remeasure, typename Mend, typename Progress>
+template <typename ConcurrencyTag, typename Traits, typename Field, typename Remeasure,
+          typename Mend, typename Progress>
 void refine_where_steep(Domain_mesh_2<Traits>& mesh, Metric_at_points<Field>& metric,
                         Linked_triangles& triangles, const Remeasure& remeasure, const Mend& mend,
                         std::size_t max_points, const Progress& progress) {
@@ -49,22 +50,22 @@ void refine_where_steep(Domain_mesh_2<Traits>& mesh, Metric_at_points<Field>& me
     return;
 
   Domain_mesh_2<Traits> part;
-  part.points = points_of(region, mesh.points);
+  part.points = select(mesh.points, region.points());
   for (const std::size_t k : region.points())
     part.locations.push_back(k < mesh.locations.size() ? mesh.locations[k] : Location::interior());
   const Field field = *remeasure(part, region.triangles());
-  Metric_at_points<Field> part_metric = metric.with_field(field);
+  Mesh_to_refine<Traits, Field> refined{part.points, metric.with_field(field), region.triangles()};
   for (std::size_t k = 0; k < part.points.size(); ++k)
-    part_metric.add(to_uv(part.points[k]), field.triangle_at(k));
+    refined.metric.add(to_uv(part.points[k]), field.triangle_at(k));
   const std::size_t others = mesh.points.size() - part.points.size(),
                     border = region.number_of_border_points();
-  Linked_triangles part_triangles = refine_part<Traits>(
-      part.points, part_metric, region.triangles(), border, (std::max)(max_points, others) - others,
-      [&](std::size_t n) { progress(others + n); });
+  refine_components<ConcurrencyTag>(refined, border, (std::max)(max_points, others) - others,
+                                    [&](std::size_t n) { progress(others + n); });
+  part.points = std::move(refined.points);
   part.locations.resize(part.points.size(), Location::interior());
-  mend(part, part_triangles, border);
+  mend(part, refined.triangles, border);
 
-  put_back(region, part.points, part_triangles, mesh.points, triangles);
+  put_back(region, part.points, refined.triangles, mesh.points, triangles);
 }
 
 } // namespace internal
