@@ -286,7 +286,9 @@ void check_cancelling(const Any& patch_or_complex, const MP::Mesh_density& densi
   const std::size_t calls = check_progress(patch_or_complex, density);
   Mesh mesh;
   MP::tessellate(cap(), mesh, 20, MP::Mesh_maps());
+  mesh.remove_vertex(mesh.add_vertex());
   const Triangles before = triangles(mesh);
+  const std::size_t vertices = mesh.number_of_vertices(), edges = mesh.number_of_edges();
   const auto names = property_names(mesh);
   for (const std::size_t k :
        {std::size_t(0), std::size_t(1), calls / 3, calls / 2, calls - 2, calls - 1}) {
@@ -296,6 +298,9 @@ void check_cancelling(const Any& patch_or_complex, const MP::Mesh_density& densi
                     MP::Cancelled);
     CHECK(recorder.calls.size() > k);
     CHECK((triangles(mesh) == before));
+    CHECK(mesh.number_of_vertices() == vertices);
+    CHECK(mesh.number_of_removed_vertices() == 1);
+    CHECK(mesh.number_of_edges() == edges);
     CHECK(mesh.is_valid(false));
     CHECK(property_names(mesh) == names);
   }

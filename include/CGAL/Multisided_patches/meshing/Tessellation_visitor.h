@@ -41,6 +41,8 @@ struct Tessellation_visitor {
    * times, or lengths on the surface are measured for it. So the ratio of the two is no share of
    * the whole: it goes back at times, and large meshes jump from a small ratio to 1
    *
+   * \pre it does not look at the mesh of the caller: another thread may be making room in it
+   *
    * \return whether to go on; if not, a `Cancelled` exception is thrown, and the mesh of the caller
    * stays as it was
    */

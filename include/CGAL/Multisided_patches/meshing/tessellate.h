@@ -11,8 +11,9 @@
 #include <CGAL/Multisided_patches/meshing/Mesh_density.h>
 #include <CGAL/Multisided_patches/meshing/Mesh_maps.h>
 #include <CGAL/Multisided_patches/meshing/Tessellation_visitor.h>
-#include <CGAL/Multisided_patches/meshing/internal/Mesh_builder.h>
+#include <CGAL/Multisided_patches/meshing/internal/Linked_elements.h>
 #include <CGAL/Multisided_patches/meshing/internal/Mesh_connectivity.h>
+#include <CGAL/Multisided_patches/meshing/internal/Property_writer.h>
 #include <CGAL/Multisided_patches/meshing/internal/default_maps.h>
 #include <CGAL/Multisided_patches/meshing/mesh_domain.h>
 
@@ -21,7 +22,6 @@
 #include <cstddef>
 #include <numeric>
 #include <optional>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -59,7 +59,9 @@ void tessellate(const Patch& patch, const Domain_mesh_2<typename Patch::Geom_tra
   const std::size_t n = domain_mesh.points.size();
   std::vector<std::vector<std::size_t>> numbers{std::vector<std::size_t>(n)};
   std::iota(numbers[0].begin(), numbers[0].end(), std::size_t(0));
+  using Elements = internal::Linked_elements<ConcurrencyTag, FaceGraph>;
   std::optional<internal::Mesh_connectivity> connectivity;
+  std::optional<Elements> elements;
   std::vector<internal::Patch_mesh<Patch>> patch_mesh(1);
   internal::run_both<ConcurrencyTag>(
       [&] {
@@ -68,12 +70,15 @@ void tessellate(const Patch& patch, const Domain_mesh_2<typename Patch::Geom_tra
       },
       [&] {
         connectivity.emplace(std::vector{&domain_mesh}, std::move(numbers), ConcurrencyTag());
+        if constexpr (Elements::are_removable)
+          elements.emplace(mesh, *connectivity);
       });
   internal::report_progress(visitor, Tessellation_stage::assembly, 0, n);
-  const auto all_maps = internal::maps_or_default<Patch>(maps, mesh);
-  internal::Mesh_builder<ConcurrencyTag, FaceGraph, std::decay_t<decltype(all_maps)>>(
-      mesh, all_maps, *connectivity)
-      .add(patch_mesh);
+  if constexpr (!Elements::are_removable)
+    elements.emplace(mesh, *connectivity);
+  elements->keep();
+  internal::Property_writer(*elements, *connectivity, internal::maps_or_default<Patch>(maps, mesh))
+      .write(mesh, patch_mesh);
 }
 
 /*!

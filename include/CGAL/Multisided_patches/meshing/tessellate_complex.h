@@ -11,7 +11,8 @@
 #include <CGAL/Multisided_patches/meshing/Patch_complex.h>
 #include <CGAL/Multisided_patches/meshing/Tessellation_visitor.h>
 #include <CGAL/Multisided_patches/meshing/internal/Complex_mesher.h>
-#include <CGAL/Multisided_patches/meshing/internal/Mesh_builder.h>
+#include <CGAL/Multisided_patches/meshing/internal/Linked_elements.h>
+#include <CGAL/Multisided_patches/meshing/internal/Property_writer.h>
 #include <CGAL/Multisided_patches/meshing/internal/default_maps.h>
 
 #include <CGAL/tags.h>
@@ -49,9 +50,9 @@ void tessellate(const Patch_complex<Patch>& complex, FaceGraph& mesh, const Mesh
   mesher.run(density);
   internal::report_progress(visitor, Tessellation_stage::assembly, 0, mesher.number_of_vertices());
   const auto all_maps = internal::maps_or_default_of_complex<Patch>(maps, mesh);
-  internal::Mesh_builder<ConcurrencyTag, FaceGraph, std::decay_t<decltype(all_maps)>>(
-      mesh, all_maps, mesher.connectivity())
-      .add(mesher.meshes());
+  internal::Linked_elements<ConcurrencyTag, FaceGraph> elements(mesh, mesher.connectivity());
+  elements.keep();
+  internal::Property_writer(elements, mesher.connectivity(), all_maps).write(mesh, mesher.meshes());
 }
 
 } // namespace Multisided_patches

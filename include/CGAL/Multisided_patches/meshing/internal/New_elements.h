@@ -36,6 +36,7 @@ public:
   // How elements that differ may be changed.
   template <typename>
   using Concurrency = Sequential_tag;
+  static constexpr bool are_removable = false;
 
   New_elements(FaceGraph& mesh, std::size_t vertices, std::size_t edges, std::size_t faces)
       : mesh_(mesh) {
@@ -78,13 +79,20 @@ public:
   using Face = typename Mesh::Face_index;
   template <typename ConcurrencyTag>
   using Concurrency = ConcurrencyTag;
+  static constexpr bool are_removable = true;
 
   New_elements(Mesh& mesh, std::size_t vertices, std::size_t edges, std::size_t faces)
       : first_vertex_(mesh.num_vertices()), first_edge_(mesh.num_edges()), // removed ones, too
         first_face_(mesh.num_faces()) {
-    mesh.resize(static_cast<Size>(first_vertex_ + vertices), static_cast<Size>(first_edge_ + edges),
-                static_cast<Size>(first_face_ + faces));
+    try {
+      resize(mesh, vertices, edges, faces);
+    } catch (...) { // some of its arrays may be larger now
+      remove(mesh);
+      throw;
+    }
   }
+  // pre: no other elements have been added since.
+  void remove(Mesh& mesh) const { resize(mesh, 0, 0, 0); }
 
   Vertex vertex(std::size_t k) const { return Vertex(static_cast<Size>(first_vertex_ + k)); }
   Halfedge halfedge(std::size_t k) const {
@@ -93,6 +101,11 @@ public:
   Face face(std::size_t k) const { return Face(static_cast<Size>(first_face_ + k)); }
 
 private:
+  void resize(Mesh& mesh, std::size_t vertices, std::size_t edges, std::size_t faces) const {
+    mesh.resize(static_cast<Size>(first_vertex_ + vertices), static_cast<Size>(first_edge_ + edges),
+                static_cast<Size>(first_face_ + faces));
+  }
+
   std::size_t first_vertex_, first_edge_, first_face_;
 };
 
