@@ -6,9 +6,9 @@
 #ifndef CGAL_MULTISIDED_PATCHES_PATCHES_INTERNAL_WEIGHT_BLOCK_H
 #define CGAL_MULTISIDED_PATCHES_PATCHES_INTERNAL_WEIGHT_BLOCK_H
 
-#include <CGAL/Multisided_patches/internal/Float_pack.h>
 #include <CGAL/Multisided_patches/internal/Number_pack.h>
 #include <CGAL/Multisided_patches/internal/vector_utils.h>
+#include <CGAL/Multisided_patches/patches/internal/add_weighted_triples.h>
 #include <CGAL/Multisided_patches/patches/internal/surface_derivatives.h>
 
 #include <algorithm>
@@ -83,18 +83,17 @@ public:
     const std::array<double, 3> o = net[origin_];
     std::array<Storage, 3 * row> sums; // in units of `unit`
     sums.fill(0);
-    std::array<const Storage*, together> weights;
-    std::array<std::array<Pack, 3>, together> offsets;
+    Weighted_triples<Storage, together> rows;
     for (std::size_t e = 0; e < points_.size(); e += together) {
       for (std::size_t i = 0; i < together; ++i) {
         // Beyond the last point: any weights, times 0.
         const bool exists = e + i < points_.size();
-        weights[i] = &weights_[(exists ? e + i : e) * row];
+        rows.weights[i] = &weights_[(exists ? e + i : e) * row];
         const std::array<double, 3>& p = exists ? net[points_[e + i]] : o;
         for (std::size_t c = 0; c < 3; ++c)
-          offsets[i][c] = Pack(static_cast<Storage>((p[c] - o[c]) / unit));
+          rows.triples[i][c] = static_cast<Storage>((p[c] - o[c]) / unit);
       }
-      add(weights, offsets, sums.data(), std::make_index_sequence<together>());
+      add_weighted_triples<samples, parts>(rows, sums.data());
     }
     for (std::size_t part = 0; part < parts; ++part)
       for (std::size_t c = 0; c < 3; ++c)
@@ -141,36 +140,8 @@ public:
 private:
   double* result(std::size_t part, std::size_t c) { return &results_[(part * 3 + c) * samples]; }
 
-  // Numbers that are worked on at once.
-  using Pack = std::conditional_t<std::is_same_v<Storage, float>, Float_pack, Number_pack>;
   // How many rows are read side by side.
   static constexpr std::size_t together = std::is_same_v<Storage, float> ? 8 : 4;
-
-  // Adds the products of a few control points with their weights.
-  template <std::size_t... I>
-  void add(const std::array<const Storage*, together>& weights,
-           const std::array<std::array<Pack, 3>, together>& points, Storage* sums,
-           std::index_sequence<I...>) const {
-    const Pack px[] = {points[I][0]...}, py[] = {points[I][1]...}, pz[] = {points[I][2]...};
-    for (std::size_t part = 0; part < parts; ++part) {
-      Storage *const x = sums + part * 3 * samples, *const y = x + samples, *const z = y + samples;
-      for (std::size_t k = 0; k < samples; k += Pack::lanes) {
-        Pack sx(Storage(0)), sy(Storage(0)), sz(Storage(0));
-        const auto add_one = [&](std::size_t i) {
-          const Pack w = Pack::load(weights[i] + part * samples + k);
-          sx += w * px[i];
-          sy += w * py[i];
-          sz += w * pz[i];
-        };
-        for (std::size_t j = k; j < k + Pack::lanes; j += per_line)
-          prefetch(weights[0], (part * samples + j) * together);
-        (add_one(I), ...); // a loop would not be unrolled at all levels of optimization
-        sx.add_to(x + k);
-        sy.add_to(y + k);
-        sz.add_to(z + k);
-      }
-    }
-  }
 
   void set_result(std::size_t part, std::size_t c, const Storage* sums, double unit,
                   double origin) {
@@ -195,33 +166,14 @@ private:
     }
   }
 
-  // Rows that are read side by side are streams that processors do not foresee. So what follows in
-  // memory is asked for, one cache line after the other, while the rows before it are used: a line
-  // for so many numbers of each row.
-  static constexpr std::size_t per_line = 64 / sizeof(Storage) / together;
-  static void prefetch(const Storage* rows, std::size_t offset) {
-    constexpr std::size_t distance = 8192; // bytes; what memory delivers while rows are used
-    prefetch_byte(rows, offset * sizeof(Storage) + distance);
-  }
   // The results of the next block, if blocks are elements of an array: those at the same places as
   // three packs here.
   void prefetch_next_results(std::size_t number) const {
     constexpr std::size_t share = 3 * sizeof(double);
     if (number * share % 64 < Number_pack::lanes * share)
-      prefetch_byte(&results_, sizeof(*this) + number * share);
+      prefetch(&results_, sizeof(*this) + number * share);
   }
-  static void prefetch_byte([[maybe_unused]] const void* start,
-                            [[maybe_unused]] std::size_t offset) {
-#ifdef __GNUC__
-    // An address, which may be past the end.
-    __builtin_prefetch(
-        reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(start) + offset));
-#endif
-  }
-
-  static bool any_is_undefined(const Number_pack& x) {
-    return !(x[0] == x[0] && x[1] == x[1]);
-  }
+  static bool any_is_undefined(const Number_pack& x) { return !(x[0] == x[0] && x[1] == x[1]); }
 
   std::array<Number_pack, 3> pack(std::size_t part, std::size_t k) const {
     return {load(part, 0, k), load(part, 1, k), load(part, 2, k)};
