@@ -312,25 +312,16 @@ private:
         lambda[i][k] = static_cast<FT>(entry(parts.data() + i, k));
   }
 
-  // evaluates consecutive points, those of one cell one after the other
+  // evaluates consecutive points
   template <int Order>
   void evaluate_range(std::size_t begin, std::size_t end, const std::vector<Point_2>& points,
                       const std::vector<Location>& locations, Batch<Order>& result) const {
-    std::vector<std::pair<std::size_t, std::size_t>> cells_and_points;
+    const std::size_t n = this->domain().size();
+    std::vector<Jet_2<FT, Order>> lambda(n);
     for (std::size_t j = begin; j < end; ++j) {
       if (locations[j].kind == Location::Kind::outside)
         throw Outside_domain_error("point " + std::to_string(j) + " lies outside the domain");
-      cells_and_points.push_back({basis_.locate(normalized(points[j])), j});
-    }
-    std::sort(cells_and_points.begin(), cells_and_points.end());
-    const std::size_t n = this->domain().size();
-    std::vector<Jet_2<FT, Order>> lambda(n);
-    for (const auto& cell_and_point : cells_and_points) {
-      const auto [cell, j] = cell_and_point;
-      if (locations[j].is_on_boundary())
-        this->template evaluate<Order>(points[j], locations[j], lambda.data());
-      else
-        evaluate_in_cell(cell, normalized(points[j]), lambda.data());
+      this->template evaluate<Order>(points[j], locations[j], lambda.data());
       for (std::size_t k = 0; k < result.size(); ++k)
         for (std::size_t i = 0; i < n; ++i)
           result[k].data()[j * n + i] = lambda[i][k];

@@ -25,7 +25,7 @@ public:
   Corner_cell(const Boundary& boundary, std::size_t k, double radius, int size)
       : vertex_(boundary.vertex(k)), index_(k), next_(boundary.next(k)), prev_(boundary.prev(k)),
         radius_(radius), log_radius_(std::log(radius)), angle_(boundary.angle(k)),
-        half_opening_(angle_ * pi / 2), size_(size),
+        half_opening_(angle_ * pi / 2), cosine_(std::cos(angle_ * pi)), size_(size),
         inverse_direction_(std::conj(boundary.direction(k))),
         to_bisector_(inverse_direction_ * std::polar(1., -half_opening_)),
         slope_next_(1 / boundary.length(k)), slope_prev_(1 / boundary.length(prev_)) {
@@ -62,7 +62,7 @@ public:
     if constexpr (Order >= 1)
       x[1] = direction;
     const Analytic<Order, Real> y = lift<Order>(offset);
-    const Real slope = slope_next_, cosine = std::cos(angle_ * pi);
+    const Real slope = slope_next_, cosine = cosine_;
     terms[1] = {next_, combination<Order, Real>(slope, x, -slope * cosine, y)};
     terms[2] = {prev_, combination<Order, Real>(0, x, slope_prev_, y)};
     terms[0] = {index_, combination<Order, Real>(-1, terms[1].f, -1, terms[2].f)};
@@ -130,7 +130,7 @@ private:
 
   Complex vertex_;
   std::size_t index_, next_, prev_;
-  double radius_, log_radius_, angle_, half_opening_;
+  double radius_, log_radius_, angle_, half_opening_, cosine_;
   int size_;
   Complex inverse_direction_, to_bisector_;
   double slope_next_, slope_prev_;
