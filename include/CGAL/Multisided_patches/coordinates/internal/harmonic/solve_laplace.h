@@ -133,8 +133,13 @@ private:
   const std::vector<Cell_coefficients>& coefficients_; // of every cell
 };
 
-// The error from the largest jump. A factor of 4 was on the safe side on all shapes without fine
-// detail; where the cells shrink towards one, jumps on all scales can add up.
+// How much larger errors may be than jumps. A factor of 4 was on the safe side on all shapes
+// without fine detail; where cells shrink towards one, jumps on all scales can add up.
+inline double safety_factor(double longest, double shortest) {
+  return (std::max)(4., 0.5 * std::log2(longest / shortest));
+}
+
+// The error from the largest jump.
 inline double error_estimate(double jump, const std::vector<Interface>& interfaces) {
   double shortest = std::numeric_limits<double>::infinity(), longest = 0;
   for (const Interface& face : interfaces)
@@ -142,7 +147,7 @@ inline double error_estimate(double jump, const std::vector<Interface>& interfac
       shortest = (std::min)(shortest, std::abs(s.b - s.a));
       longest = (std::max)(longest, std::abs(s.b - s.a));
     }
-  return (std::max)(4., 0.5 * std::log2(longest / shortest)) * jump;
+  return safety_factor(longest, shortest) * jump;
 }
 
 // solves Laplace's equation on the polygon for the hat functions of all vertices. Every cell's

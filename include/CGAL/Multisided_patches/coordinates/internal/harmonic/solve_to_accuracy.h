@@ -29,12 +29,16 @@ struct Best_solution {
   std::string failure; // of the last round that failed
 };
 
-// tau from the target and the number of vertices, as the largest of more errors counts: fitted to
-// the errors that were measured on many shapes, so that nearly all need one round.
-inline double initial_tau(double target_error, std::size_t vertices) {
-  const double tau = (std::min)(16 * std::pow(target_error, 0.83), //
-                                3.0 * std::pow(target_error, 0.73));
-  return tau * std::pow(40. / static_cast<double>(vertices), 0.6);
+// tau from the target and the polygon: the largest of more errors counts with more vertices, and
+// where sides are very short, errors may be larger than jumps. Fitted to the errors that were
+// measured on many shapes, so that nearly all need one round.
+inline double initial_tau(double target_error, const Boundary& boundary) {
+  double shortest = 1;
+  for (std::size_t k = 0; k < boundary.size(); ++k)
+    shortest = (std::min)(shortest, boundary.length(k));
+  const double target = target_error * safety_factor(1, 1) / safety_factor(1, shortest);
+  const double tau = (std::min)(16 * std::pow(target, 0.83), 3.0 * std::pow(target, 0.73));
+  return tau * std::pow(40. / static_cast<double>(boundary.size()), 0.6);
 }
 
 // by how much to lessen tau after an error above the target; the error is about tau^1.7
@@ -55,7 +59,7 @@ Best_solution solve_to_accuracy(const Boundary& boundary, const Bisection_mesh& 
   constexpr int max_rounds = 5;
   constexpr double tau_min = 1e-13, tau_max = 1e-2;
   int useless_rounds = 0;
-  double tau = initial_tau(target_error, boundary.size());
+  double tau = initial_tau(target_error, boundary);
   Best_solution best;
   while (best.rounds < max_rounds && best.error > target_error) {
     tau = (std::min)(tau_max, (std::max)(tau_min, tau));
