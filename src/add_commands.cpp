@@ -61,7 +61,7 @@ void add_domain_options(CLI::App& command, Patch_options& options) {
       ->type_name("X");
   command
       .add_option("--coordinates", options.coordinates,
-                  "barycentric coordinates: harmonic (any domain, default for .cgb files),\n"
+                  "barycentric coordinates: harmonic (any domain, default but for .gbp files),\n"
                   "mean-value (any domain), wachspress (convex domains, default for .gbp\n"
                   "files)")
       ->transform(CLI::Transformer(coordinates).description(""))

@@ -41,15 +41,18 @@ public:
 
   // Returns the vertices that were moved.
   //
-  // Every move that is tried costs some hundred points of the surface; so a vertex is tried again
-  // only if something around it has changed, and where sharp triangles abound not all are tried.
+  // Every flip or move that is tried costs some hundred points of the surface; so a triangle or a
+  // vertex is tried again only if something around it has changed, and where sharp triangles abound
+  // not all are tried.
   std::vector<std::size_t> mend() {
     constexpr int sweeps = 3;
-    std::size_t tries = 100 + mesh_.triangles.size() / 5;
+    tries_ = 100 + mesh_.triangles.size() / 5;
     std::vector<std::size_t> moved;
-    std::vector<char> is_settled(triangle_of_.size(), false);
+    std::vector<char> is_settled(triangle_of_.size(), false),
+        is_triangle_settled(mesh_.triangles.size(), false);
     std::fill_n(is_settled.begin(), number_of_boundary_vertices_, true);
     const auto unsettle = [&](std::size_t t) {
+      is_triangle_settled[t] = false;
       for (const std::size_t v : mesh_.triangles[t].vertices)
         is_settled[v] = v < number_of_boundary_vertices_;
     };
@@ -57,15 +60,17 @@ public:
       for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
         if (!(smallest_angle(mesh_.triangles[t]) < sharp))
           continue;
-        if (const std::size_t n = flip_an_edge(t); n != Linked_triangle::none) {
+        const std::size_t n = is_triangle_settled[t] ? Linked_triangle::none : flip_an_edge(t);
+        is_triangle_settled[t] = true;
+        if (n != Linked_triangle::none) {
           unsettle(t);
           unsettle(n);
           continue;
         }
         for (const std::size_t v : mesh_.triangles[t].vertices) {
-          if (is_settled[v] || tries == 0)
+          if (is_settled[v] || tries_ == 0)
             continue;
-          --tries;
+          --tries_;
           is_settled[v] = true;
           const std::vector<std::size_t> star = triangles_around(v);
           if (!nudge(v, star))
@@ -160,8 +165,9 @@ private:
     const std::array<Linked_triangle, 2> old{mesh_.triangles[t], mesh_.triangles[n]},
         flipped = flipped_pair(t, i);
     if (!is_positive(flipped[0]) || !is_positive(flipped[1]) ||
-        !(smallest_angle(flipped) > smallest_angle(old)))
+        !(smallest_angle(flipped) > smallest_angle(old)) || tries_ == 0)
       return false;
+    --tries_;
     const double allowed = (std::max)(safe_excess, largest_excess({t, n}));
     replace_pair(t, n, flipped);
     if (largest_excess({t, n}) <= allowed)
@@ -275,6 +281,7 @@ private:
   Sampled_mesh& mesh_;
   std::size_t number_of_boundary_vertices_;
   std::vector<std::size_t> triangle_of_; // one, by vertex
+  std::size_t tries_ = 0;                // that are left
 };
 
 } // namespace internal

@@ -97,7 +97,7 @@ public:
       while (!is_overdetermined(faces, 2)) {
         oversampling_ *= 1.5;
         if (oversampling_ > max_oversampling)
-          throw Numerical_error("a cell has next to no boundary with others");
+          throw Numerical_error("details of the polygon are too fine to be resolved");
       }
     for (const Interface& face : faces)
       for (const Segment& s : face.edges) {
