@@ -195,3 +195,66 @@ TEST_CASE("A region that is put back as it was leaves the mesh as it was") {
     CHECK(std::is_permutation(mesh[t].vertices.begin(), mesh[t].vertices.end(),
                               before[t].vertices.begin()));
 }
+
+TEST_CASE("Components are refined within the limit for all, and alike in parallel") {
+  // Some grids of n x n squares side by side, each with its border first.
+  constexpr std::size_t n = 13, copies = 5, points = (n + 1) * (n + 1);
+  const Linked_triangles one = grid(n);
+  std::vector<std::size_t> order; // those on the border of a grid, then the others
+  for (const bool inside : {false, true})
+    for (std::size_t k = 0; k < points; ++k) {
+      const std::size_t i = k % (n + 1), j = k / (n + 1);
+      if ((i > 0 && i < n && j > 0 && j < n) == inside)
+        order.push_back(k);
+    }
+  constexpr std::size_t border = 4 * n;
+  std::vector<std::size_t> place(points);
+  for (std::size_t k = 0; k < points; ++k)
+    place[order[k]] = k;
+  const auto number = [&](std::size_t copy, std::size_t k) { // borders of all grids come first
+    return place[k] < border ? copy * border + place[k]
+                             : copies * border + copy * (points - border) + place[k] - border;
+  };
+  const Waves field{3, 0, 0, 0}; // wants edges a third as long
+  Mesh_to_refine<Kernel, Waves> mesh{
+      std::vector<Kernel::Point_2>(copies * points), Metric_at_points<Waves>(field), {}};
+  for (std::size_t copy = 0; copy < copies; ++copy) {
+    for (std::size_t k = 0; k < points; ++k)
+      mesh.points[number(copy, k)] = {static_cast<double>(k % (n + 1) + copy * 2 * n),
+                                      static_cast<double>(k / (n + 1))};
+    for (Linked_triangle t : one) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        t.vertices[i] = static_cast<Linked_triangle::Index>(number(copy, t.vertices[i]));
+        if (t.neighbors[i] != Linked_triangle::none)
+          t.neighbors[i] += static_cast<Linked_triangle::Index>(copy * one.size());
+      }
+      mesh.triangles.push_back(t);
+    }
+  }
+  for (const Kernel::Point_2& p : mesh.points)
+    mesh.metric.add(to_uv(p), 0);
+  REQUIRE(is_linked_well(mesh.triangles));
+  const std::vector<Mesh_part> parts = split_mesh(mesh.triangles, mesh.points.size(), 300);
+  REQUIRE(parts.size() == copies);
+  for (const Mesh_part& part : parts)
+    CHECK((part.points.size() == points && is_linked_well(part.triangles)));
+
+  for (const std::size_t more : {std::size_t(0), std::size_t(100), std::size_t(100000)}) {
+    CAPTURE(more);
+    const std::size_t limit = mesh.points.size() + more;
+    auto a = mesh, b = mesh;
+    std::size_t reported = 0;
+    refine_components<CGAL::Sequential_tag>(a, copies * border, limit,
+                                            [&](std::size_t done) { reported = done; });
+    refine_components<CGAL::Parallel_if_available_tag>(b, copies * border, limit,
+                                                       [](std::size_t) {});
+    CHECK(a.points.size() <= limit);
+    CHECK(a.points.size() >= mesh.points.size() + (std::min)(more, std::size_t(2000)) * 9 / 10);
+    CHECK(reported == a.points.size());
+    CHECK(is_linked_well(a.triangles));
+    CHECK(a.points == b.points);
+    CHECK(a.metric.size() == a.points.size());
+    for (std::size_t v = 0; v < copies * border; ++v)
+      CHECK(a.points[v] == mesh.points[v]);
+  }
+}

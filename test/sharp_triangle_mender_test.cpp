@@ -12,8 +12,11 @@
 #include <CGAL/Multisided_patches/meshing/internal/Sharp_triangle_mender.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
 #include <numeric>
+#include <type_traits>
+#include <vector>
 
 using namespace fixtures;
 using namespace MP::internal;
@@ -107,17 +110,19 @@ TEST_CASE("Mended meshes are less sharp, linked well, and the same along the bou
     const Deviation_meter<Surface> meter(surface, bound, infinity, 1);
 
     const Sampled_mesh old = mesh;
-    const std::vector<std::size_t> moved =
-        Sharp_triangle_mender<Surface, Deviation_meter<Surface>>(surface, meter, mesh, boundary)
-            .mend();
+    std::vector<Point_2> points;
+    for (const Uv& p : mesh.uv)
+      points.emplace_back(p.x, p.y);
+    Sharp_triangle_mender<Surface, Deviation_meter<Surface>>(surface, meter, mesh, points, boundary)
+        .mend([] {});
     CAPTURE(k, bound);
     CHECK(is_linked_well(mesh.triangles));
     CHECK(has_positive_triangles(mesh));
     for (std::size_t v = 0; v < mesh.uv.size(); ++v) {
-      const bool is_moved = std::find(moved.begin(), moved.end(), v) != moved.end();
       const bool is_same = mesh.uv[v].x == old.uv[v].x && mesh.uv[v].y == old.uv[v].y;
-      CHECK((is_same || (is_moved && v >= boundary)));
+      CHECK((is_same || v >= boundary));
       CHECK(mesh.positions[v] == (is_same ? old.positions[v] : surface.position(mesh.uv[v])));
+      CHECK(points[v] == Point_2(mesh.uv[v].x, mesh.uv[v].y));
     }
     for (const Linked_triangle& t : mesh.triangles)
       CHECK(free_meter(mesh, t).chordal <= bound);

@@ -42,13 +42,15 @@ namespace Multisided_patches {
  * \param domain_mesh the mesh of its domain
  * \param mesh receives the triangles, in addition to those that it has
  * \param maps what else is written, and where to: a `Mesh_maps`, or the `Default_maps`
- * \param visitor hears of the progress and can cancel, see `Tessellation_visitor`
+ * \param visitor hears of the progress and can cancel, see `Tessellation_visitor`; it must not look
+ * at `mesh`
  *
  * \pre `domain_mesh` is valid, see `is_valid_domain_mesh()`
  *
  * \throws Numerical_error if a point of the surface is not finite
  * \throws Input_error if there are more than 7e8 triangles
- * \throws Cancelled if the visitor wants so; `mesh` is unchanged in all these cases
+ * \throws Cancelled if the visitor wants so; `mesh` is unchanged in all these cases, but for the
+ * capacity of its arrays
  *
  * Complexity: one evaluation of the patch with first derivatives for each vertex.
  */
@@ -76,9 +78,9 @@ void tessellate(const Patch& patch, const Domain_mesh_2<typename Patch::Geom_tra
   internal::report_progress(visitor, Tessellation_stage::assembly, 0, n);
   if constexpr (!Elements::are_removable)
     elements.emplace(mesh, *connectivity);
+  const auto all_maps = internal::maps_or_default<Patch>(maps, mesh);
   elements->keep();
-  internal::Property_writer(*elements, *connectivity, internal::maps_or_default<Patch>(maps, mesh))
-      .write(mesh, patch_mesh);
+  internal::Property_writer(*elements, *connectivity, all_maps).write(mesh, patch_mesh);
 }
 
 /*!

@@ -20,6 +20,10 @@
 
 #include <boost/pending/disjoint_sets.hpp>
 
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/task_arena.h>
+#endif
+
 #include <cstddef>
 #include <exception>
 #include <limits>
@@ -35,7 +39,8 @@ namespace CGAL {
 namespace Multisided_patches {
 namespace internal {
 
-// Hands what several threads report to one visitor, one at a time.
+// Hands what several threads report to one visitor, one at a time. If the visitor has tasks of its
+// own, its thread runs none of ours while it waits for these: they might report, too.
 template <typename Visitor>
 class Shared_visitor {
 public:
@@ -46,11 +51,20 @@ public:
     if (is_cancelled_)
       return false;
     is_cancelled_ = true;
-    is_cancelled_ = !visitor_.go_further(stage, done, total);
+    isolate([&] { is_cancelled_ = !visitor_.go_further(stage, done, total); });
     return !is_cancelled_;
   }
 
 private:
+  template <typename Function>
+  static void isolate(const Function& f) {
+#ifdef CGAL_LINKED_WITH_TBB
+    tbb::this_task_arena::isolate(f);
+#else
+    f();
+#endif
+  }
+
   Visitor& visitor_;
   std::mutex mutex_;
   bool is_cancelled_ = false;

@@ -94,6 +94,7 @@ public:
   // progress(number of points), which may throw.
   template <typename Progress>
   void refine(std::size_t max_points, const Progress& progress) {
+    CGAL_precondition(refiner_.has_value());
     refiner_->refine(max_points, progress);
     set_locations();
   }
@@ -117,6 +118,7 @@ public:
                    Keep keep) {
     if (halvings_ == 0)
       return;
+    CGAL_precondition(refiner_.has_value());
     run_both<ConcurrencyTag>(
         [&] {
           if (halvings_ >= 2)
@@ -135,8 +137,7 @@ public:
   }
 
   // Measures the field anew where it changes fast, and refines and mends the mesh there; for
-  // `remeasure` and `mend` see the function of this name. The metric is not that of the mesh any
-  // more then.
+  // `remeasure` and `mend` see the function of this name. After that the mesh can only be finished.
   template <typename Progress, typename Remeasure, typename Mend>
   void refine_where_steep(std::size_t max_points, const Progress& progress,
                           const Remeasure& remeasure, const Mend& mend) {
@@ -151,6 +152,7 @@ public:
     refiner_->keep_off_sides(share_of_length);
   }
   void smooth(int sweeps) {
+    CGAL_precondition(metric_.size() == mesh_.points.size());
     if (sweeps > 0 && !triangulation_)
       start_with(triangles_);
     if (sweeps > 0)

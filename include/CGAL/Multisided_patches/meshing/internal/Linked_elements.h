@@ -35,9 +35,7 @@ public:
 
   // The connectivity has to outlive this object.
   Linked_elements(FaceGraph& mesh, const Mesh_connectivity& connectivity)
-      : mesh_(mesh), connectivity_(connectivity),
-        elements_(mesh, connectivity.number_of_vertices(), connectivity.number_of_edges(),
-                  connectivity.number_of_triangles()) {
+      : Linked_elements(mesh, connectivity, Not_linked()) { // what follows may throw
     link_triangles();
     link_vertices();
     link_border();
@@ -60,6 +58,12 @@ public:
   }
 
 private:
+  struct Not_linked {};
+  Linked_elements(FaceGraph& mesh, const Mesh_connectivity& connectivity, Not_linked)
+      : mesh_(mesh), connectivity_(connectivity),
+        elements_(mesh, connectivity.number_of_vertices(), connectivity.number_of_edges(),
+                  connectivity.number_of_triangles()) {}
+
   auto corner_vertex(std::size_t corner) const { return new_vertex(connectivity_.vertex(corner)); }
 
   void link_triangles() {

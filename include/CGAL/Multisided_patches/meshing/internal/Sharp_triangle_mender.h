@@ -10,13 +10,14 @@
 #include <CGAL/Multisided_patches/internal/vector_utils.h>
 #include <CGAL/Multisided_patches/meshing/internal/Sampled_mesh.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/enum.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -24,14 +25,18 @@ namespace Multisided_patches {
 namespace internal {
 
 // Flips edges and moves vertices of triangles that are sharp on the surface, whatever a metric made
-// of them, as long as the deviations from the surface stay within their bounds.
+// of them, as long as the deviations from the surface stay within their bounds and no triangle
+// turns over, in the domain or on the surface.
 template <typename Surface, typename Meter>
 class Sharp_triangle_mender {
 public:
-  // The first vertices, those on the boundary, stay where they are.
+  using Point_2 = typename Surface::Point_2;
+
+  // `points` are those of the domain that the mesh is sampled at. The first ones, those on the
+  // boundary, stay where they are.
   Sharp_triangle_mender(const Surface& surface, const Meter& meter, Sampled_mesh& mesh,
-                        std::size_t number_of_boundary_vertices)
-      : surface_(surface), meter_(meter), mesh_(mesh),
+                        std::vector<Point_2>& points, std::size_t number_of_boundary_vertices)
+      : surface_(surface), meter_(meter), mesh_(mesh), points_(points),
         number_of_boundary_vertices_(number_of_boundary_vertices),
         triangle_of_(mesh.uv.size(), Linked_triangle::none) {
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
@@ -39,55 +44,30 @@ public:
         triangle_of_[v] = t;
   }
 
-  // Returns the vertices that were moved.
-  //
   // Every flip or move that is tried costs some hundred points of the surface; so a triangle or a
   // vertex is tried again only if something around it has changed, and where sharp triangles abound
-  // not all are tried.
-  std::vector<std::size_t> mend() {
+  // not all are tried. Calls progress(), which may throw, now and then.
+  template <typename Progress>
+  void mend(const Progress& progress) {
     constexpr int sweeps = 3;
-    tries_ = 100 + mesh_.triangles.size() / 5;
-    std::vector<std::size_t> moved;
-    std::vector<char> is_settled(triangle_of_.size(), false),
-        is_triangle_settled(mesh_.triangles.size(), false);
-    std::fill_n(is_settled.begin(), number_of_boundary_vertices_, true);
-    const auto unsettle = [&](std::size_t t) {
-      is_triangle_settled[t] = false;
-      for (const std::size_t v : mesh_.triangles[t].vertices)
-        is_settled[v] = v < number_of_boundary_vertices_;
-    };
+    constexpr std::size_t max_tries = 20000;
+    tries_ = (std::min)(max_tries, 100 + mesh_.triangles.size() / 5);
+    is_vertex_settled_.assign(triangle_of_.size(), false);
+    std::fill_n(is_vertex_settled_.begin(), number_of_boundary_vertices_, true);
+    is_triangle_settled_.assign(mesh_.triangles.size(), false);
     for (int k = 0; k < sweeps; ++k)
-      for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-        if (!(smallest_angle(mesh_.triangles[t]) < sharp))
-          continue;
-        const std::size_t n = is_triangle_settled[t] ? Linked_triangle::none : flip_an_edge(t);
-        is_triangle_settled[t] = true;
-        if (n != Linked_triangle::none) {
-          unsettle(t);
-          unsettle(n);
-          continue;
+      for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
+        if (smallest_angle(mesh_.triangles[t]) < sharp) {
+          progress();
+          if (!try_flips(t))
+            try_moves(t);
         }
-        for (const std::size_t v : mesh_.triangles[t].vertices) {
-          if (is_settled[v] || tries_ == 0)
-            continue;
-          --tries_;
-          is_settled[v] = true;
-          const std::vector<std::size_t> star = triangles_around(v);
-          if (!nudge(v, star))
-            continue;
-          moved.push_back(v);
-          std::for_each(star.begin(), star.end(), unsettle);
-        }
-      }
-    return moved;
   }
 
 private:
   // Up to here deviations between the samples hardly ever are larger than at them by more than the
   // reserve.
   static constexpr double safe_excess = 0.95;
-
-  using Kernel = Exact_predicates_inexact_constructions_kernel;
 
   static constexpr double sharp = 24 * pi / 180;
 
@@ -103,11 +83,22 @@ private:
   }
 
   bool is_positive(const Linked_triangle& t) const {
-    const auto point = [&](int i) {
-      const Uv& p = mesh_.uv[t.vertices[i]];
-      return Kernel::Point_2(p.x, p.y);
-    };
-    return orientation(point(0), point(1), point(2)) == LEFT_TURN;
+    return orientation(points_[t.vertices[0]], points_[t.vertices[1]], points_[t.vertices[2]]) ==
+           LEFT_TURN;
+  }
+  // On the surface, twice as long as its area.
+  Vec3 normal(const Linked_triangle& t) const {
+    const Vec3& p = mesh_.positions[t.vertices[0]];
+    return cross(difference(mesh_.positions[t.vertices[1]], p),
+                 difference(mesh_.positions[t.vertices[2]], p));
+  }
+  bool is_on_boundary(std::size_t v) const { return v < number_of_boundary_vertices_; }
+
+  // Something has changed there.
+  void unsettle(std::size_t t) {
+    is_triangle_settled_[t] = false;
+    for (const std::size_t v : mesh_.triangles[t].vertices)
+      is_vertex_settled_[v] = is_on_boundary(v);
   }
 
   std::vector<std::size_t> triangles_around(std::size_t v) const {
@@ -148,15 +139,19 @@ private:
 
   // --------------------------------------------------------------------------------------- flips
 
-  // Flips an edge of triangle t if that makes the sharpest angle there less sharp. Returns the
-  // triangle behind it, or `none` if there is no such edge.
-  std::size_t flip_an_edge(std::size_t t) {
-    for (int i = 0; i < 3; ++i) {
+  // Flips an edge of triangle t if that makes the sharpest angle there less sharp. Returns whether
+  // it did.
+  bool try_flips(std::size_t t) {
+    for (int i = 0; i < 3 && !is_triangle_settled_[t]; ++i) {
       const std::size_t n = mesh_.triangles[t].neighbors[i];
-      if (n != Linked_triangle::none && flip_if_better(t, i))
-        return n;
+      if (n != Linked_triangle::none && flip_if_better(t, i)) {
+        unsettle(t);
+        unsettle(n);
+        return true;
+      }
     }
-    return Linked_triangle::none;
+    is_triangle_settled_[t] = true;
+    return false;
   }
 
   // Of the edge opposite to corner i of triangle t.
@@ -164,8 +159,8 @@ private:
     const std::size_t n = mesh_.triangles[t].neighbors[i];
     const std::array<Linked_triangle, 2> old{mesh_.triangles[t], mesh_.triangles[n]},
         flipped = flipped_pair(t, i);
-    if (!is_positive(flipped[0]) || !is_positive(flipped[1]) ||
-        !(smallest_angle(flipped) > smallest_angle(old)) || tries_ == 0)
+    if (!is_flip_allowed(old, flipped) || !(smallest_angle(flipped) > smallest_angle(old)) ||
+        tries_ == 0)
       return false;
     --tries_;
     const double allowed = (std::max)(safe_excess, largest_excess({t, n}));
@@ -174,6 +169,17 @@ private:
       return true;
     replace_pair(t, n, old);
     return false;
+  }
+
+  // Three corners on the boundary may be on one side of the domain, which has no area there.
+  bool is_flip_allowed(const std::array<Linked_triangle, 2>& old,
+                       const std::array<Linked_triangle, 2>& flipped) const {
+    const Vec3 before = sum(normal(old[0]), normal(old[1]));
+    return std::all_of(flipped.begin(), flipped.end(), [&](const Linked_triangle& t) {
+      return is_positive(t) && dot(normal(t), before) >= 0 &&
+             !(is_on_boundary(t.vertices[0]) && is_on_boundary(t.vertices[1]) &&
+               is_on_boundary(t.vertices[2]));
+    });
   }
 
   // What the triangles on both sides of an edge become if it is flipped.
@@ -222,37 +228,81 @@ private:
 
   // --------------------------------------------------------------------------------------- moves
 
+  // Moves vertices of triangle t.
+  void try_moves(std::size_t t) {
+    const auto vertices = mesh_.triangles[t].vertices;
+    for (const std::size_t v : vertices) {
+      if (is_vertex_settled_[v] || tries_ == 0)
+        continue;
+      --tries_;
+      is_vertex_settled_[v] = true;
+      const std::vector<std::size_t> star = triangles_around(v);
+      if (nudge(v, star))
+        for (const std::size_t s : star)
+          unsettle(s);
+    }
+  }
+
   struct Move {
-    Uv uv;
+    Point_2 point;
     Vec3 position;
     double angle; // the smallest one around the vertex then
   };
 
   void apply(std::size_t v, const Move& move) {
-    mesh_.uv[v] = move.uv;
+    points_[v] = move.point;
+    mesh_.uv[v] = to_uv(move.point);
     mesh_.positions[v] = move.position;
+  }
+
+  // Where a vertex would be in the domain, if that leaves all triangles around it positive.
+  std::optional<Point_2> moved_point(std::size_t v, const Uv& uv,
+                                     const std::vector<std::size_t>& star) {
+    using FT = typename Surface::FT;
+    const Point_2 old = points_[v], moved(FT(uv.x), FT(uv.y));
+    points_[v] = moved;
+    const bool is_valid = std::all_of(
+        star.begin(), star.end(), [&](std::size_t s) { return is_positive(mesh_.triangles[s]); });
+    points_[v] = old;
+    return is_valid ? std::make_optional(moved) : std::nullopt;
+  }
+
+  std::vector<Vec3> normals(const std::vector<std::size_t>& star) const {
+    std::vector<Vec3> result;
+    for (const std::size_t t : star)
+      result.push_back(normal(mesh_.triangles[t]));
+    return result;
+  }
+
+  bool have_turned_over(const std::vector<std::size_t>& star,
+                        const std::vector<Vec3>& before) const {
+    for (std::size_t k = 0; k < star.size(); ++k)
+      if (dot(normal(mesh_.triangles[star[k]]), before[k]) < 0)
+        return true;
+    return false;
   }
 
   // Moves of a vertex a little towards or away from one of its neighbours, after which no angle
   // around it is as small as the smallest one now. The best one comes first.
   std::vector<Move> find_moves(std::size_t v, const std::vector<std::size_t>& star) {
-    const Move now{mesh_.uv[v], mesh_.positions[v], smallest_angle(star)};
+    const Move now{points_[v], mesh_.positions[v], smallest_angle(star)};
+    const Uv uv = mesh_.uv[v];
+    const std::vector<Vec3> normals_now = normals(star);
     std::vector<Move> moves;
     for (const double step : {0.25, -0.25, 0.1, -0.1, 0.04, -0.04})
       for (const std::size_t t : star) {
         const auto& vertices = mesh_.triangles[t].vertices;
         const auto i = std::find(vertices.begin(), vertices.end(), v) - vertices.begin();
-        mesh_.uv[v] = now.uv + step * (mesh_.uv[vertices[(i + 1) % 3]] - now.uv);
-        if (!std::all_of(star.begin(), star.end(),
-                         [&](std::size_t s) { return is_positive(mesh_.triangles[s]); }))
+        const std::optional<Point_2> point =
+            moved_point(v, uv + step * (mesh_.uv[vertices[(i + 1) % 3]] - uv), star);
+        if (!point)
           continue;
-        mesh_.positions[v] = surface_.position(mesh_.uv[v]);
+        apply(v, {*point, surface_.position(to_uv(*point)), 0});
         const double angle = smallest_angle(star);
-        if (angle > now.angle)
-          moves.push_back({mesh_.uv[v], mesh_.positions[v], angle});
+        if (angle > now.angle && !have_turned_over(star, normals_now))
+          moves.push_back({*point, mesh_.positions[v], angle});
         apply(v, now);
       }
-    apply(v, now);
     std::stable_sort(moves.begin(), moves.end(),
                      [](const Move& a, const Move& b) { return a.angle > b.angle; });
     return moves;
@@ -264,7 +314,7 @@ private:
     std::vector<Move> moves = find_moves(v, star);
     if (moves.empty())
       return false;
-    const Move now{mesh_.uv[v], mesh_.positions[v], 0};
+    const Move now{points_[v], mesh_.positions[v], 0};
     const double allowed = (std::max)(safe_excess, largest_excess(star));
     moves.resize((std::min)(moves.size(), max_moves));
     for (const Move& move : moves) {
@@ -279,9 +329,12 @@ private:
   const Surface& surface_;
   const Meter& meter_;
   Sampled_mesh& mesh_;
+  std::vector<Point_2>& points_;
   std::size_t number_of_boundary_vertices_;
   std::vector<std::size_t> triangle_of_; // one, by vertex
-  std::size_t tries_ = 0;                // that are left
+  // Since they were tried nothing has changed around them.
+  std::vector<char> is_vertex_settled_, is_triangle_settled_;
+  std::size_t tries_ = 0; // that are left
 };
 
 } // namespace internal

@@ -91,7 +91,7 @@ public:
     const auto mend = [&](Mesh& part, Linked_triangles& triangles, std::size_t fixed_points) {
       Sampled_mesh sampled;
       sample(part, std::move(triangles), sampled);
-      mend_sharp_triangles(part, fixed_points, sampled,
+      mend_sharp_triangles(part.points, fixed_points, sampled,
                            Meter(surface_, infinity, infinity, reserve));
       triangles = std::move(sampled.triangles);
     };
@@ -133,7 +133,7 @@ public:
                                         0.8 * static_cast<double>(sampled.triangles.size()))) {
         refine_where_exceeded(mesher, meter, sampled, excess);
         Mesh mesh = mesher.finish();
-        mend_sharp_triangles(mesh, mesh.number_of_boundary_points, sampled, meter);
+        mend_sharp_triangles(mesh.points, mesh.number_of_boundary_points, sampled, meter);
         for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
           const auto& v = sampled.triangles[t].vertices;
           mesh.triangles[t] = {v[0], v[1], v[2]};
@@ -338,11 +338,11 @@ private:
   }
 
   // The first points stay where they are.
-  void mend_sharp_triangles(Mesh& mesh, std::size_t fixed_points, Sampled_mesh& sampled,
-                            const Meter& meter) const {
-    Sharp_triangle_mender<Surface, Meter> mender(surface_, meter, sampled, fixed_points);
-    for (const std::size_t v : mender.mend())
-      mesh.points[v] = Point_2(sampled.uv[v].x, sampled.uv[v].y);
+  void mend_sharp_triangles(std::vector<Point_2>& points, std::size_t fixed_points,
+                            Sampled_mesh& sampled, const Meter& meter) {
+    Sharp_triangle_mender<Surface, Meter>(surface_, meter, sampled, points, fixed_points).mend([&] {
+      report_progress(visitor_, Tessellation_stage::meshing, points.size(), points.size());
+    });
   }
 
   using Corners = Linked_triangle::Indices; // in increasing order

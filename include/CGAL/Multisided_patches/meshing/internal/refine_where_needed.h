@@ -16,7 +16,8 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <mutex>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -83,56 +84,74 @@ void refine_and_smooth(Mesh_to_refine<Traits, Field>& mesh, std::size_t number_o
   mesh.triangles = triangulation.triangles();
 }
 
-// Does the same to a mesh whose connected components have no points in common, in parallel.
+// Puts a part of a mesh back, once it has been refined. `triangles` are those of the parts before.
+template <typename Traits, typename Field>
+void append(const Mesh_part& part, const Mesh_to_refine<Traits, Field>& refined,
+            Mesh_to_refine<Traits, Field>& mesh, Linked_triangles& triangles) {
+  using Index = Linked_triangle::Index;
+  const std::size_t old = part.points.size(), first_new = mesh.points.size(),
+                    first_triangle = triangles.size();
+  check_number_of_indices(
+      (std::max)(first_new + refined.points.size(), first_triangle + refined.triangles.size()));
+  for (std::size_t i = 0; i < old; ++i)
+    mesh.points[part.points[i]] = refined.points[i];
+  for (std::size_t i = old; i < refined.points.size(); ++i) {
+    mesh.points.push_back(refined.points[i]);
+    mesh.metric.copy(refined.metric, i);
+  }
+  for (Linked_triangle t : refined.triangles) {
+    for (auto& v : t.vertices)
+      v = static_cast<Index>(v < old ? part.points[v] : first_new + v - old);
+    for (auto& n : t.neighbors)
+      if (n != Linked_triangle::none)
+        n = static_cast<Index>(first_triangle + n);
+    triangles.push_back(t);
+  }
+}
+
+// Does the same to a mesh whose connected components have no points in common, in parallel; each
+// gets its share of the new points that there may be.
+//
+// Progress is reported by the thread that calls this, and not while others work: what a visitor
+// does must not run into tasks that report, too.
 template <typename ConcurrencyTag, typename Traits, typename Field, typename Progress>
 void refine_components(Mesh_to_refine<Traits, Field>& mesh, std::size_t number_of_border_points,
                        std::size_t max_points, const Progress& progress) {
-  constexpr std::size_t least = 300; // triangles that are worth a task
-  const std::size_t old = mesh.points.size();
+  constexpr std::size_t least = 300;     // triangles that are worth a task
+  constexpr std::size_t block = 1 << 13; // points between reports
+  const std::size_t old = mesh.points.size(), slack = (std::max)(max_points, old) - old,
+                    all_triangles = mesh.triangles.size();
   const std::vector<Mesh_part> parts = split_mesh(mesh.triangles, old, least);
-  std::vector<Mesh_to_refine<Traits, Field>> refined;
-  refined.reserve(parts.size());
-  for (const Mesh_part& part : parts)
-    refined.push_back(
-        {select(mesh.points, part.points), mesh.metric.part(part.points), part.triangles});
-  std::mutex mutex;
-  for_each_index<ConcurrencyTag>(
-      parts.size(),
-      [&](std::size_t k) {
-        const std::vector<std::size_t>& points = parts[k].points;
-        const auto border = static_cast<std::size_t>(
-            std::lower_bound(points.begin(), points.end(), number_of_border_points) -
-            points.begin());
-        const std::size_t others = old - points.size();
-        refine_and_smooth(refined[k], border, (std::max)(max_points, others) - others,
-                          [&](std::size_t n) {
-                            const std::lock_guard<std::mutex> lock(mutex);
-                            progress(others + n);
-                          });
-      },
-      1);
-
-  mesh.triangles.clear();
-  for (std::size_t k = 0; k < parts.size(); ++k) {
+  std::vector<std::optional<Mesh_to_refine<Traits, Field>>> refined(parts.size());
+  const auto refine_part = [&](std::size_t k, const auto& part_progress) {
     const std::vector<std::size_t>& points = parts[k].points;
-    const std::size_t first_new = mesh.points.size(), first_triangle = mesh.triangles.size();
-    for (std::size_t i = 0; i < refined[k].points.size(); ++i)
-      if (i < points.size()) {
-        mesh.points[points[i]] = refined[k].points[i];
-      } else {
-        mesh.points.push_back(refined[k].points[i]);
-        mesh.metric.copy(refined[k].metric, i);
-      }
-    for (Linked_triangle t : refined[k].triangles) {
-      for (auto& v : t.vertices)
-        v = static_cast<Linked_triangle::Index>(v < points.size() ? points[v]
-                                                                  : first_new + v - points.size());
-      for (auto& n : t.neighbors)
-        n = n == Linked_triangle::none ? n
-                                       : static_cast<Linked_triangle::Index>(first_triangle + n);
-      mesh.triangles.push_back(t);
-    }
+    const auto border = std::lower_bound(points.begin(), points.end(), number_of_border_points);
+    const double share =
+        static_cast<double>(parts[k].triangles.size()) / static_cast<double>(all_triangles);
+    refined[k].emplace(Mesh_to_refine<Traits, Field>{select(mesh.points, points),
+                                                     mesh.metric.part(points), parts[k].triangles});
+    refine_and_smooth(*refined[k], static_cast<std::size_t>(border - points.begin()),
+                      points.size() + static_cast<std::size_t>(share * static_cast<double>(slack)),
+                      part_progress);
+  };
+  std::size_t done = old;
+  for (std::size_t first = 0, end = 0; first < parts.size(); first = end) {
+    for (std::size_t size = 0; end < parts.size() && size < block; ++end)
+      size += parts[end].points.size();
+    if (end == first + 1) // perhaps a large one
+      refine_part(first, [&](std::size_t n) { progress(done - parts[first].points.size() + n); });
+    else
+      for_each_index<ConcurrencyTag>(
+          end - first, [&](std::size_t k) { refine_part(first + k, [](std::size_t) {}); }, 1);
+    for (std::size_t k = first; k < end; ++k)
+      done += refined[k]->points.size() - parts[k].points.size();
+    progress(done);
   }
+  Linked_triangles triangles;
+  triangles.reserve(all_triangles + 2 * (done - old));
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    append(parts[k], *refined[k], mesh, triangles);
+  mesh.triangles = std::move(triangles);
 }
 
 // Puts a region back into the mesh that it is from, once it has other triangles, its points have

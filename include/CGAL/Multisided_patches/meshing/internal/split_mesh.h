@@ -48,57 +48,61 @@ inline std::vector<std::size_t> connected_components(const Linked_triangles& mes
   return component;
 }
 
+// Puts components together to groups, in order, each with at least `least` triangles but for the
+// last one. Returns the group of each component.
+inline std::vector<std::size_t> group_components(const std::vector<std::size_t>& component,
+                                                 std::size_t least) {
+  std::vector<std::size_t> sizes; // of the components
+  for (const std::size_t c : component) {
+    sizes.resize((std::max)(sizes.size(), c + 1), 0);
+    ++sizes[c];
+  }
+  std::vector<std::size_t> group;
+  std::size_t next = 0, size = 0;
+  for (const std::size_t s : sizes) {
+    group.push_back(next);
+    size += s;
+    if (size >= least) {
+      ++next;
+      size = 0;
+    }
+  }
+  return group;
+}
+
 // Splits a mesh whose connected components have no points in common into parts of some of these,
 // each with at least `least` triangles but for the last one. All points are corners of triangles.
 //
 // Complexity: linear.
 inline std::vector<Mesh_part> split_mesh(const Linked_triangles& mesh, std::size_t number_of_points,
                                          std::size_t least) {
-  std::vector<std::size_t> part_of =
-      connected_components(mesh); // first the component of a triangle
-  std::vector<std::size_t> sizes;
-  for (const std::size_t c : part_of) {
-    sizes.resize((std::max)(sizes.size(), c + 1), 0);
-    ++sizes[c];
-  }
-  std::vector<std::size_t> part_of_component;
-  std::size_t parts = 0, size = 0;
-  for (const std::size_t s : sizes) {
-    parts += size == 0;
-    part_of_component.push_back(parts - 1);
-    size = size + s < least ? size + s : 0;
-  }
-  for (std::size_t& p : part_of)
-    p = part_of_component[p];
+  const std::vector<std::size_t> component = connected_components(mesh),
+                                 group = group_components(component, least);
+  std::vector<Mesh_part> parts(group.empty() ? 0 : group.back() + 1);
+  const auto part_of = [&](std::size_t t) -> Mesh_part& { return parts[group[component[t]]]; };
 
-  std::vector<Mesh_part> result(parts);
-  std::vector<std::size_t> local_triangle(mesh.size()), part_of_point(number_of_points),
-      local_point(number_of_points);
-  std::vector<std::size_t> counts(parts, 0);
+  std::vector<std::size_t> triangle_at(number_of_points);
+  std::vector<Linked_triangle::Index> local_triangle(mesh.size()), local_point(number_of_points);
   for (std::size_t t = 0; t < mesh.size(); ++t) {
-    local_triangle[t] = counts[part_of[t]]++;
+    Linked_triangles& triangles = part_of(t).triangles;
+    local_triangle[t] = static_cast<Linked_triangle::Index>(triangles.size());
+    triangles.push_back(mesh[t]);
     for (const std::size_t v : mesh[t].vertices)
-      part_of_point[v] = part_of[t];
+      triangle_at[v] = t;
   }
   for (std::size_t v = 0; v < number_of_points; ++v) {
-    std::vector<std::size_t>& points = result[part_of_point[v]].points;
-    local_point[v] = points.size();
+    std::vector<std::size_t>& points = part_of(triangle_at[v]).points;
+    local_point[v] = static_cast<Linked_triangle::Index>(points.size());
     points.push_back(v);
   }
-  for (std::size_t p = 0; p < parts; ++p)
-    result[p].triangles.reserve(counts[p]);
-  const auto index = [](std::size_t k) { return static_cast<Linked_triangle::Index>(k); };
-  for (std::size_t t = 0; t < mesh.size(); ++t) {
-    Linked_triangle local;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t neighbor = mesh[t].neighbors[i];
-      local.vertices[i] = index(local_point[mesh[t].vertices[i]]);
-      local.neighbors[i] =
-          index(neighbor == Linked_triangle::none ? neighbor : local_triangle[neighbor]);
-    }
-    result[part_of[t]].triangles.push_back(local);
-  }
-  return result;
+  for (Mesh_part& part : parts)
+    for (Linked_triangle& t : part.triangles)
+      for (std::size_t i = 0; i < 3; ++i) {
+        t.vertices[i] = local_point[t.vertices[i]];
+        if (t.neighbors[i] != Linked_triangle::none)
+          t.neighbors[i] = local_triangle[t.neighbors[i]];
+      }
+  return parts;
 }
 
 } // namespace internal

@@ -17,7 +17,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -171,7 +170,7 @@ private:
   void prefetch_next_results(std::size_t number) const {
     constexpr std::size_t share = 3 * sizeof(double);
     if (number * share % 64 < Number_pack::lanes * share)
-      prefetch(&results_, sizeof(*this) + number * share);
+      prefetch_memory(&results_, sizeof(*this) + number * share);
   }
   static bool any_is_undefined(const Number_pack& x) { return !(x[0] == x[0] && x[1] == x[1]); }
 

@@ -13,9 +13,10 @@
 #include <utility>
 
 // The widest vectors are used that the processor has when the program runs, whatever it was
-// compiled for, where the compiler knows how to ask. Sums and products are the same, bit for bit:
-// they are not fused, and each is in one lane.
-#if defined(__GNUC__) && defined(__x86_64__) && !defined(__AVX2__)
+// compiled for, where the compiler knows how to ask. Sums and products are the same, bit for bit,
+// as each is in one lane; unless the compiler may fuse them, which it does where the program is
+// compiled for processors that can. (On Windows, GCC does not align wide vectors on the stack.)
+#if defined(__GNUC__) && defined(__x86_64__) && !defined(__AVX2__) && !defined(_WIN32)
 #define CGAL_MULTISIDED_PATCHES_ASK_FOR_AVX2
 #endif
 #ifdef __GNUC__
@@ -37,8 +38,8 @@ struct Weighted_triples {
 
 // Rows that are read side by side are streams that processors do not foresee. So what follows in
 // memory is asked for while they are used.
-CGAL_MULTISIDED_PATCHES_ALWAYS_INLINE void prefetch([[maybe_unused]] const void* start,
-                                                    [[maybe_unused]] std::size_t offset) {
+CGAL_MULTISIDED_PATCHES_ALWAYS_INLINE void prefetch_memory([[maybe_unused]] const void* start,
+                                                           [[maybe_unused]] std::size_t offset) {
 #ifdef __GNUC__
   // An address, which may be past the end.
   __builtin_prefetch(
@@ -77,7 +78,7 @@ CGAL_MULTISIDED_PATCHES_ALWAYS_INLINE void add_to(Number* numbers, const Vector&
   std::memcpy(numbers, &sum, sizeof(sum));
 }
 
-// `Sums` arrays of numbers, one after the other
+// What add_weighted_triples() does, so many bytes at a time.
 template <std::size_t Bytes, std::size_t Length, std::size_t Parts, typename Number,
           std::size_t Size, std::size_t... I>
 CGAL_MULTISIDED_PATCHES_ALWAYS_INLINE void
@@ -85,6 +86,7 @@ add_weighted_triples_in(const Weighted_triples<Number, Size>& rows, Number* sums
                         std::index_sequence<I...>) {
   using Vector = typename Vector_of<Number, Bytes>::Type;
   constexpr std::size_t lanes = Vector_of<Number, Bytes>::lanes;
+  static_assert(Length % lanes == 0);
   constexpr std::size_t distance = 8192; // bytes; what memory delivers while rows are used
   std::array<std::array<Vector, 3>, Size> triples;
   for (std::size_t i = 0; i < Size; ++i)
@@ -95,7 +97,7 @@ add_weighted_triples_in(const Weighted_triples<Number, Size>& rows, Number* sums
     for (std::size_t k = 0; k < Length; k += lanes) {
       const std::size_t at = part * Length + k;
       for (std::size_t byte = 0; byte < sizeof(Vector) * Size; byte += 64)
-        prefetch(rows.weights[0], at * sizeof(Number) * Size + byte + distance);
+        prefetch_memory(rows.weights[0], at * sizeof(Number) * Size + byte + distance);
       std::array<Vector, 3> sum{};
       (add_product(rows.weights[I] + at, triples[I], sum), ...); // a loop might not be unrolled
       for (std::size_t c = 0; c < 3; ++c)
