@@ -50,7 +50,7 @@ public:
   template <typename Progress>
   void mend(const Progress& progress) {
     constexpr int sweeps = 3;
-    constexpr std::size_t max_tries = 20000;
+    constexpr std::size_t max_tries = 100000;
     tries_ = (std::min)(max_tries, 100 + mesh_.triangles.size() / 5);
     is_vertex_settled_.assign(triangle_of_.size(), false);
     std::fill_n(is_vertex_settled_.begin(), number_of_boundary_vertices_, true);
@@ -267,19 +267,18 @@ private:
     return is_valid ? std::make_optional(moved) : std::nullopt;
   }
 
-  std::vector<Vec3> normals(const std::vector<std::size_t>& star) const {
-    std::vector<Vec3> result;
+  Vec3 sum_of_normals(const std::vector<std::size_t>& star) const {
+    Vec3 result{0, 0, 0};
     for (const std::size_t t : star)
-      result.push_back(normal(mesh_.triangles[t]));
+      result = sum(result, normal(mesh_.triangles[t]));
     return result;
   }
 
-  bool have_turned_over(const std::vector<std::size_t>& star,
-                        const std::vector<Vec3>& before) const {
-    for (std::size_t k = 0; k < star.size(); ++k)
-      if (dot(normal(mesh_.triangles[star[k]]), before[k]) < 0)
-        return true;
-    return false;
+  // How many triangles are turned away from a direction.
+  std::size_t count_inverted(const std::vector<std::size_t>& star, const Vec3& direction) const {
+    return static_cast<std::size_t>(std::count_if(star.begin(), star.end(), [&](std::size_t t) {
+      return dot(normal(mesh_.triangles[t]), direction) < 0;
+    }));
   }
 
   // Moves of a vertex a little towards or away from one of its neighbours, after which no angle
@@ -287,7 +286,8 @@ private:
   std::vector<Move> find_moves(std::size_t v, const std::vector<std::size_t>& star) {
     const Move now{points_[v], mesh_.positions[v], smallest_angle(star)};
     const Uv uv = mesh_.uv[v];
-    const std::vector<Vec3> normals_now = normals(star);
+    const Vec3 direction = sum_of_normals(star);
+    const std::size_t inverted = count_inverted(star, direction);
     std::vector<Move> moves;
     for (const double step : {0.25, -0.25, 0.1, -0.1, 0.04, -0.04})
       for (const std::size_t t : star) {
@@ -299,7 +299,7 @@ private:
           continue;
         apply(v, {*point, surface_.position(to_uv(*point)), 0});
         const double angle = smallest_angle(star);
-        if (angle > now.angle && !have_turned_over(star, normals_now))
+        if (angle > now.angle && count_inverted(star, direction) <= inverted)
           moves.push_back({*point, mesh_.positions[v], angle});
         apply(v, now);
       }
