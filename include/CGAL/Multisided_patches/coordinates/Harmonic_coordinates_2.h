@@ -170,7 +170,7 @@ public:
     for (auto& matrix : result)
       matrix.resize(static_cast<Eigen::Index>(this->domain().size()),
                     static_cast<Eigen::Index>(points.size()));
-    constexpr std::size_t range = 512; // the results of so many points stay in the cache
+    constexpr std::size_t range = 512; // points that are worth a task
     internal::for_each_index<ConcurrencyTag>(
         (points.size() + range - 1) / range,
         [&](std::size_t r) {

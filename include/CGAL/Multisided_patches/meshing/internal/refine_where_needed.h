@@ -109,8 +109,8 @@ void append(const Mesh_part& part, const Mesh_to_refine<Traits, Field>& refined,
   }
 }
 
-// Does the same to a mesh whose connected components have no points in common, in parallel; each
-// gets its share of the new points that there may be.
+// Refines and smooths a mesh as refine_and_smooth() does, but its connected components, which have
+// no points in common, in parallel; each gets its share of the new points that there may be.
 //
 // Progress is reported by the thread that calls this, and not while others work: what a visitor
 // does must not run into tasks that report, too.

@@ -172,6 +172,7 @@ private:
     if (number * share % 64 < Number_pack::lanes * share)
       prefetch_memory(&results_, sizeof(*this) + number * share);
   }
+
   static bool any_is_undefined(const Number_pack& x) { return !(x[0] == x[0] && x[1] == x[1]); }
 
   std::array<Number_pack, 3> pack(std::size_t part, std::size_t k) const {
