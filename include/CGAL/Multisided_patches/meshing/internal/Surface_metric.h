@@ -16,6 +16,9 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <queue>
+#include <unordered_set>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -90,16 +93,12 @@ public:
   }
 
   // The metric at a point of the domain. The search starts at triangle `hint`, which is then the
-  // one where it ended: the one with the point, or the last one before the boundary.
+  // one where it ended: the one with the point or, as rounding may have put it outside all of them,
+  // one next to it.
   Metric_2 operator()(const Uv& p, std::size_t& hint) const {
-    // The triangles need not be Delaunay, so that a walk that always looks at their edges in the
-    // same order might go round in circles.
-    for (std::size_t step = 0; step < triangles_.size(); ++step) {
-      const std::size_t next = neighbor_towards(hint, p, step % 3);
-      if (next == Linked_triangle::none)
-        break;
-      hint = next;
-    }
+    const std::size_t start = hint;
+    if (!walk(hint, p) && !is_next_to(hint, p))
+      hint = search(start, p);
     return interpolate(hint, p);
   }
 
@@ -182,31 +181,99 @@ private:
     }
   }
 
-  // The neighbour across the edge beyond which p lies, if there is one.
-  std::size_t neighbor_towards(std::size_t t, const Uv& p, std::size_t first_edge) const {
-    const Linked_triangle& triangle = triangles_[t];
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t i = (first_edge + k) % 3;
-      const Uv &a = uv_[triangle.vertices[(i + 1) % 3]], &b = uv_[triangle.vertices[(i + 2) % 3]];
-      if (cross(b - a, p - a) < 0 && triangle.neighbors[i] != Linked_triangle::none)
-        return triangle.neighbors[i];
+  // From triangle to triangle towards a point, as far as the boundary. Returns whether it came to
+  // the triangle with the point.
+  bool walk(std::size_t& triangle, const Uv& p) const {
+    // The triangles need not be Delaunay, so that a walk that always looks at their edges in the
+    // same order might go round in circles.
+    for (std::size_t step = 0; step < triangles_.size(); ++step) {
+      bool is_beyond = false;
+      std::size_t next = Linked_triangle::none;
+      for (std::size_t k = 0; k < 3 && next == Linked_triangle::none; ++k) {
+        const std::size_t i = (step + k) % 3;
+        if (is_beyond_edge(triangle, i, p)) {
+          is_beyond = true;
+          next = triangles_[triangle].neighbors[i];
+        }
+      }
+      if (next == Linked_triangle::none)
+        return !is_beyond;
+      triangle = next;
     }
-    return Linked_triangle::none;
+    return false;
   }
 
-  Metric_2 interpolate(std::size_t t, const Uv& p) const {
-    const auto& v = triangles_[t].vertices;
-    std::array<double, 3> weight;
+  bool is_beyond_edge(std::size_t triangle, std::size_t i, const Uv& p) const {
+    const auto& v = triangles_[triangle].vertices;
+    const Uv &a = uv_[v[(i + 1) % 3]], &b = uv_[v[(i + 2) % 3]];
+    return cross(b - a, p - a) < 0;
+  }
+
+  // Whether a point is in a triangle, or so close to it that rounding may be the reason.
+  bool is_next_to(std::size_t triangle, const Uv& p) const {
+    constexpr double close = 1e-6; // relative to the longest edge
+    const auto& v = triangles_[triangle].vertices;
+    const std::array<double, 3> weights = weights_in(triangle, p);
+    const Uv q = weights[0] * uv_[v[0]] + weights[1] * uv_[v[1]] + weights[2] * uv_[v[2]];
+    double square = 0;
+    for (int i = 0; i < 3; ++i)
+      square = (std::max)(square, squared_distance(uv_[v[i]], uv_[v[(i + 1) % 3]]));
+    return squared_distance(p, q) <= close * close * square;
+  }
+
+  // The triangle with a point, or a close one. Looks around corners of the domain, where a walk
+  // ends at the boundary: always from the triangle that is the closest of those it has come to.
+  std::size_t search(std::size_t start, const Uv& p) const {
+    constexpr std::size_t max_triangles = 10000;
+    using Candidate = std::pair<double, std::size_t>; // squared distance, triangle
+    std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> queue;
+    std::unordered_set<std::size_t> seen;
+    const auto add = [&](std::size_t t) {
+      if (t == Linked_triangle::none || !seen.insert(t).second)
+        return;
+      const auto& v = triangles_[t].vertices;
+      queue.push({squared_distance(1. / 3 * (uv_[v[0]] + uv_[v[1]] + uv_[v[2]]), p), t});
+    };
+    add(start);
+    Candidate closest = queue.top();
+    while (!queue.empty() && seen.size() < max_triangles) {
+      const Candidate now = queue.top();
+      queue.pop();
+      if (is_next_to(now.second, p))
+        return now.second;
+      closest = (std::min)(closest, now);
+      for (const std::size_t n : triangles_[now.second].neighbors)
+        add(n);
+    }
+    return closest.second;
+  }
+
+  static double squared_distance(const Uv& p, const Uv& q) {
+    const Uv d = q - p;
+    return d.x * d.x + d.y * d.y;
+  }
+
+  // Barycentric coordinates of a point, of which negative ones are left out.
+  std::array<double, 3> weights_in(std::size_t triangle, const Uv& p) const {
+    const auto& v = triangles_[triangle].vertices;
+    std::array<double, 3> weights;
     double sum = 0;
     for (int i = 0; i < 3; ++i) {
       const Uv &a = uv_[v[(i + 1) % 3]], &b = uv_[v[(i + 2) % 3]];
-      weight[i] = (std::max)(0.0, cross(b - a, p - a));
-      sum += weight[i];
+      weights[i] = (std::max)(0.0, cross(b - a, p - a));
+      sum += weights[i];
     }
     if (!(sum > 0))
-      return metrics_[v[0]];
-    return weight[0] / sum * metrics_[v[0]] + weight[1] / sum * metrics_[v[1]] +
-           weight[2] / sum * metrics_[v[2]];
+      return {1, 0, 0};
+    for (double& w : weights)
+      w /= sum;
+    return weights;
+  }
+
+  Metric_2 interpolate(std::size_t triangle, const Uv& p) const {
+    const auto& v = triangles_[triangle].vertices;
+    const std::array<double, 3> weights = weights_in(triangle, p);
+    return weights[0] * metrics_[v[0]] + weights[1] * metrics_[v[1]] + weights[2] * metrics_[v[2]];
   }
 
   std::vector<Uv> uv_;
