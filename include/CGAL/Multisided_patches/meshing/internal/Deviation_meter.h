@@ -23,7 +23,8 @@ namespace Multisided_patches {
 namespace internal {
 
 // Measures how far the triangles of a mesh are from the surface that they stand for, at samples
-// inside them: near the corners, at the centroid, and next to the middles of the edges.
+// inside them: distances near the middle and next to the middles of the edges, and angles between
+// normals next to the corners, too, where they are largest on a smooth surface.
 //
 // The distance of a sample is that from its triangle or, if that is too large, from the nearest of
 // its neighbours, too: where the parameters run unevenly, a point of the surface often lies over
@@ -43,28 +44,17 @@ public:
     double chordal = 0, normal = 0; // units of the surface, radians
   };
 
-  static constexpr std::size_t all_samples = 7, few_samples = 3;
+  // How much is measured: for an estimate, or to tell whether a triangle is within the bounds.
+  enum class Effort { estimate, verification };
 
-  // Of one of the triangles of the mesh. Few samples give an estimate.
+  // Of one of the triangles of the mesh.
   Deviation operator()(const Sampled_mesh& mesh, const Linked_triangle& t,
-                       std::size_t number_of_samples = all_samples) const {
-    const auto p = [&](int i) -> const Vec3& { return mesh.positions[t.vertices[i]]; };
-    const Vec3 normal = normalized(cross(difference(p(1), p(0)), difference(p(2), p(0))));
+                       Effort effort = Effort::verification) const {
     Deviation deviation;
-    for (std::size_t k = 0; k < number_of_samples; ++k) {
-      const std::array<double, 3>& b = samples[k];
-      const Uv at = b[0] * mesh.uv[t.vertices[0]] + b[1] * mesh.uv[t.vertices[1]] +
-                    b[2] * mesh.uv[t.vertices[2]];
-      if (std::isfinite(max_chordal_deviation_))
-        deviation.chordal = (std::max)(deviation.chordal, distance(mesh, t, at));
-      if (std::isfinite(max_normal_deviation_)) {
-        const Vec3 n = surface_.normal(at);
-        // A triangle without a normal has none that fits.
-        const double angle = normal == Vec3{0, 0, 0} ? pi : angle_between(n, normal);
-        if (n != Vec3{0, 0, 0} && !(angle <= deviation.normal))
-          deviation.normal = angle;
-      }
-    }
+    if (std::isfinite(max_chordal_deviation_))
+      deviation.chordal = chordal_deviation(mesh, t, effort);
+    if (std::isfinite(max_normal_deviation_))
+      deviation.normal = normal_deviation(mesh, t, effort);
     return deviation;
   }
 
@@ -83,13 +73,57 @@ public:
 private:
   using Kernel = Simple_cartesian<double>;
 
-  static constexpr std::array<std::array<double, 3>, all_samples> samples{{{2. / 3, 1. / 6, 1. / 6},
-                                                                           {1. / 6, 2. / 3, 1. / 6},
-                                                                           {1. / 6, 1. / 6, 2. / 3},
-                                                                           {1. / 3, 1. / 3, 1. / 3},
-                                                                           {0.02, 0.49, 0.49},
-                                                                           {0.49, 0.02, 0.49},
-                                                                           {0.49, 0.49, 0.02}}};
+  // Barycentric coordinates of samples, up to their order: the last is that of one of the corners,
+  // the others are equal.
+  static constexpr double centroid = 1. / 3, towards_corner = 2. / 3, towards_edge = 1. / 6,
+                          at_corner = 0.94, at_edge = 0.02;
+
+  static Uv sample(const Sampled_mesh& mesh, const Linked_triangle& t, int corner, double weight) {
+    const auto p = [&](int i) { return mesh.uv[t.vertices[(corner + i) % 3]]; };
+    return weight * p(0) + (1 - weight) / 2 * (p(1) + p(2));
+  }
+
+  double chordal_deviation(const Sampled_mesh& mesh, const Linked_triangle& t,
+                           Effort effort) const {
+    double deviation = 0;
+    const auto measure = [&](double weight) {
+      for (int i = 0; i < (weight == centroid ? 1 : 3); ++i)
+        deviation = (std::max)(deviation, distance(mesh, t, sample(mesh, t, i, weight)));
+    };
+    measure(towards_corner);
+    if (effort == Effort::estimate)
+      return deviation;
+    measure(centroid);
+    measure(at_edge);
+    // By how much it may be larger between the samples.
+    constexpr double gap = 1.25;
+    if (gap * deviation > reserve_ * max_chordal_deviation_)
+      measure(towards_edge);
+    return deviation;
+  }
+
+  double normal_deviation(const Sampled_mesh& mesh, const Linked_triangle& t, Effort effort) const {
+    const auto p = [&](int i) -> const Vec3& { return mesh.positions[t.vertices[i]]; };
+    const Vec3 normal = normalized(cross(difference(p(1), p(0)), difference(p(2), p(0))));
+    // A triangle without a normal has none that fits.
+    if (normal == Vec3{0, 0, 0})
+      return pi;
+    double deviation = 0;
+    const auto measure = [&](double weight) {
+      for (int i = 0; i < (weight == centroid ? 1 : 3); ++i) {
+        const Vec3 n = surface_.normal(sample(mesh, t, i, weight));
+        const double angle = angle_between(n, normal);
+        if (n != Vec3{0, 0, 0} && !(angle <= deviation))
+          deviation = angle;
+      }
+    };
+    measure(at_corner);
+    if (effort == Effort::estimate)
+      return deviation;
+    measure(centroid);
+    measure(at_edge);
+    return deviation;
+  }
 
   static Kernel::Point_3 to_point(const Vec3& p) { return {p[0], p[1], p[2]}; }
 

@@ -41,17 +41,18 @@ inline std::vector<double> edge_lengths_for_excess(const Surface_metric& metric,
                                                    const std::vector<double>& excess,
                                                    double longest) {
   // Deviations scatter around what is aimed at. What is measured on a coarse mesh tells little
-  // about much finer ones.
-  constexpr double aim = 0.8, max_shortening = 0.4, max_lengthening = 1.5;
+  // about much finer ones; but what is measured on a fine one, all about coarser ones.
+  constexpr double aim = 0.8, max_shortening = 0.4;
   std::vector<double> lengths(metric.number_of_vertices(), longest);
   for (std::size_t t = 0; t < excess.size(); ++t) {
     const auto& v = metric.triangles()[t].vertices;
     const double length =
         (metric.length(v[0], v[1]) + metric.length(v[1], v[2]) + metric.length(v[2], v[0])) / 3;
-    const double factor = excess[t] > 0 ? aim / excess[t] : max_lengthening;
+    if (!(excess[t] > 0))
+      continue;
+    const double wanted = (std::max)(aim / excess[t], max_shortening) * length;
     for (const std::size_t k : v)
-      lengths[k] =
-          (std::min)(lengths[k], std::clamp(factor, max_shortening, max_lengthening) * length);
+      lengths[k] = (std::min)(lengths[k], wanted);
   }
   limit_growth(metric, lengths);
   return lengths;
