@@ -10,6 +10,9 @@
 #include <CGAL/Multisided_patches/meshing/is_valid_domain_mesh.h>
 #include <CGAL/Multisided_patches/meshing/tessellate.h>
 
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
 #include <limits>
 
 using namespace fixtures;
@@ -18,8 +21,8 @@ using Domain_mesh = MP::Domain_mesh_2<Kernel>;
 
 namespace {
 
-// Deviations of a surface from the mesh over a mesh of its domain, measured at 10 points inside of
-// each triangle, most of which the mesher does not look at.
+// Deviations of a surface from the mesh over a mesh of its domain, measured at 10 points or more
+// inside of each triangle, most of which the mesher does not look at.
 template <typename Any_patch>
 class Deviations {
 public:
@@ -39,7 +42,8 @@ public:
 
 private:
   void measure(std::size_t t) {
-    constexpr int intervals = 6;
+    const int intervals =
+        (std::max)(6, static_cast<int>(std::sqrt(20000 / double(mesh_.triangles.size()))));
     const auto& v = mesh_.triangles[t];
     for (int i = 1; i < intervals; ++i)
       for (int j = 1; i + j < intervals; ++j) {
@@ -113,7 +117,8 @@ auto cone() {
 
 TEST_CASE("Meshes of all example models keep to chordal deviations") {
   for (const std::string& name : model_names())
-    check_chordal_deviation(name, 1e-3);
+    for (const double relative : {0.1, 1e-2, 1e-3})
+      check_chordal_deviation(name, relative);
 }
 
 TEST_CASE("Meshes of all example models keep to small chordal deviations") {
@@ -130,9 +135,45 @@ TEST_CASE("Meshes of all example models keep to normal deviations") {
   for (const std::string& name : model_names()) {
     CAPTURE(name);
     const Patch patch(read_model(name));
-    const Domain_mesh mesh = MP::mesh_domain(patch, Density::normal_deviation(5));
-    CHECK(MP::domain_mesh_defect(patch.domain(), mesh) == "");
-    CHECK(Deviations(patch, mesh).normal <= 5);
+    for (const double angle : {60., 20., 5.}) {
+      CAPTURE(angle);
+      const Domain_mesh mesh = MP::mesh_domain(patch, Density::normal_deviation(angle));
+      CHECK(MP::domain_mesh_defect(patch.domain(), mesh) == "");
+      CHECK(Deviations(patch, mesh).normal <= angle);
+    }
+  }
+}
+
+TEST_CASE("The looser a bound, the fewer triangles, down to a few for each corner") {
+  for (const std::string& name : model_names()) {
+    CAPTURE(name);
+    const Patch patch(read_model(name));
+    const auto check = [&](const auto& density, std::initializer_list<double> bounds) {
+      std::size_t last = (std::numeric_limits<std::size_t>::max)();
+      for (const double bound : bounds) {
+        CAPTURE(bound);
+        const std::size_t count = MP::mesh_domain(patch, density(bound)).triangles.size();
+        CHECK(count <= last);
+        last = count;
+      }
+      CHECK(last <= 3 * patch.domain().size());
+    };
+    check([&](double b) { return Density::chordal_deviation(b * patch.loop().diagonal()); },
+          {1e-4, 1e-3, 1e-2, 0.1, 1});
+    check([&](double b) { return Density::normal_deviation(b); }, {3, 10, 30, 90});
+  }
+}
+
+TEST_CASE(
+    "A tenth of a deviation needs about ten times the triangles, next to reflex corners, too") {
+  for (const char* name : {"l_bracket", "plus_hub", "t_junction"}) {
+    CAPTURE(name);
+    const Patch patch(read_model(name));
+    const auto count = [&](double relative) {
+      const auto density = Density::chordal_deviation(relative * patch.loop().diagonal());
+      return static_cast<double>(MP::mesh_domain(patch, density).triangles.size());
+    };
+    CHECK(count(1e-5) == Approx(10 * count(1e-4)).epsilon(0.25));
   }
 }
 

@@ -197,36 +197,25 @@ TEST_CASE("A region that is put back as it was leaves the mesh as it was") {
 }
 
 TEST_CASE("Components are refined within the limit for all, and alike in parallel") {
-  // Some grids of n x n squares side by side, each with its border first.
+  // Some grids of n x n squares side by side; the borders of all of them come first.
   constexpr std::size_t n = 13, copies = 5, points = (n + 1) * (n + 1);
-  const Linked_triangles one = grid(n);
-  std::vector<std::size_t> order; // those on the border of a grid, then the others
-  for (const bool inside : {false, true})
-    for (std::size_t k = 0; k < points; ++k) {
-      const std::size_t i = k % (n + 1), j = k / (n + 1);
-      if ((i > 0 && i < n && j > 0 && j < n) == inside)
-        order.push_back(k);
-    }
-  constexpr std::size_t border = 4 * n;
-  std::vector<std::size_t> place(points);
-  for (std::size_t k = 0; k < points; ++k)
-    place[order[k]] = k;
-  const auto number = [&](std::size_t copy, std::size_t k) { // borders of all grids come first
-    return place[k] < border ? copy * border + place[k]
-                             : copies * border + copy * (points - border) + place[k] - border;
+  const Bordered_grid one(n);
+  const auto number = [&](std::size_t copy, std::size_t k) {
+    return k < one.border ? copy * one.border + k
+                          : copies * one.border + copy * (points - one.border) + k - one.border;
   };
   const Waves field{3, 0, 0, 0}; // wants edges a third as long
   Mesh_to_refine<Kernel, Waves> mesh{
       std::vector<Kernel::Point_2>(copies * points), Metric_at_points<Waves>(field), {}};
   for (std::size_t copy = 0; copy < copies; ++copy) {
     for (std::size_t k = 0; k < points; ++k)
-      mesh.points[number(copy, k)] = {static_cast<double>(k % (n + 1) + copy * 2 * n),
-                                      static_cast<double>(k / (n + 1))};
-    for (Linked_triangle t : one) {
+      mesh.points[number(copy, k)] = {static_cast<double>(one.vertices[k][0] + copy * 2 * n),
+                                      static_cast<double>(one.vertices[k][1])};
+    for (Linked_triangle t : one.triangles) {
       for (std::size_t i = 0; i < 3; ++i) {
         t.vertices[i] = static_cast<Linked_triangle::Index>(number(copy, t.vertices[i]));
         if (t.neighbors[i] != Linked_triangle::none)
-          t.neighbors[i] += static_cast<Linked_triangle::Index>(copy * one.size());
+          t.neighbors[i] += static_cast<Linked_triangle::Index>(copy * one.triangles.size());
       }
       mesh.triangles.push_back(t);
     }
@@ -244,9 +233,9 @@ TEST_CASE("Components are refined within the limit for all, and alike in paralle
     const std::size_t limit = mesh.points.size() + more;
     auto a = mesh, b = mesh;
     std::size_t reported = 0;
-    refine_components<CGAL::Sequential_tag>(a, copies * border, limit,
+    refine_components<CGAL::Sequential_tag>(a, copies * one.border, limit,
                                             [&](std::size_t done) { reported = done; });
-    refine_components<CGAL::Parallel_if_available_tag>(b, copies * border, limit,
+    refine_components<CGAL::Parallel_if_available_tag>(b, copies * one.border, limit,
                                                        [](std::size_t) {});
     CHECK(a.points.size() <= limit);
     CHECK(a.points.size() >= mesh.points.size() + (std::min)(more, std::size_t(2000)) * 9 / 10);
@@ -254,7 +243,7 @@ TEST_CASE("Components are refined within the limit for all, and alike in paralle
     CHECK(is_linked_well(a.triangles));
     CHECK(a.points == b.points);
     CHECK(a.metric.size() == a.points.size());
-    for (std::size_t v = 0; v < copies * border; ++v)
+    for (std::size_t v = 0; v < copies * one.border; ++v)
       CHECK(a.points[v] == mesh.points[v]);
   }
 }

@@ -11,7 +11,9 @@
 #include <CGAL/Multisided_patches/internal/Linked_triangle.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <vector>
 
 namespace fixtures {
 
@@ -31,6 +33,28 @@ inline MP::internal::Linked_triangles grid(MP::internal::Linked_triangle::Index 
     }
   return mesh;
 }
+
+// The same with the vertices on the border first.
+struct Bordered_grid {
+  MP::internal::Linked_triangles triangles;
+  std::vector<std::array<std::size_t, 2>> vertices; // column and row of each
+  std::size_t border;                               // number of vertices there
+
+  explicit Bordered_grid(std::size_t n)
+      : triangles(grid(static_cast<MP::internal::Linked_triangle::Index>(n))), border(4 * n) {
+    std::vector<std::size_t> place((n + 1) * (n + 1));
+    for (const bool inside : {false, true})
+      for (std::size_t j = 0; j <= n; ++j)
+        for (std::size_t i = 0; i <= n; ++i)
+          if ((i > 0 && i < n && j > 0 && j < n) == inside) {
+            place[j * (n + 1) + i] = vertices.size();
+            vertices.push_back({i, j});
+          }
+    for (auto& t : triangles)
+      for (auto& v : t.vertices)
+        v = static_cast<MP::internal::Linked_triangle::Index>(place[v]);
+  }
+};
 
 // Whether neighbours know each other, across the edges that they have in common.
 inline bool is_linked_well(const MP::internal::Linked_triangles& mesh) {

@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 #include <type_traits>
 #include <vector>
 
@@ -34,33 +33,16 @@ auto sheared_cylinder(double shear) {
 // random. The vertices on the boundary come first.
 template <typename Surface>
 Sampled_mesh random_grid(const Surface& surface, std::size_t n, Random& random) {
+  const Bordered_grid grid(n);
   Sampled_mesh mesh;
-  mesh.triangles = grid(static_cast<Linked_triangle::Index>(n));
+  mesh.triangles = grid.triangles;
   const double h = 1 / static_cast<double>(n);
-  for (std::size_t k = 0; k < (n + 1) * (n + 1); ++k) {
-    const std::size_t i = k % (n + 1), j = k / (n + 1);
-    const bool is_inside = i > 0 && i < n && j > 0 && j < n;
-    const auto off = [&] { return is_inside ? random.in(-0.3, 0.3) : 0.; };
-    mesh.uv.push_back({h * (static_cast<double>(i) + off()), h * (static_cast<double>(j) + off())});
+  for (std::size_t k = 0; k < grid.vertices.size(); ++k) {
+    const auto off = [&] { return k < grid.border ? 0. : random.in(-0.3, 0.3); };
+    mesh.uv.push_back({h * (static_cast<double>(grid.vertices[k][0]) + off()),
+                       h * (static_cast<double>(grid.vertices[k][1]) + off())});
+    mesh.positions.push_back(surface.position(mesh.uv[k]));
   }
-  // Those on the boundary to the front.
-  std::vector<std::size_t> order(mesh.uv.size()), place(mesh.uv.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  std::stable_partition(order.begin(), order.end(), [&](std::size_t k) {
-    const std::size_t i = k % (n + 1), j = k / (n + 1);
-    return i == 0 || i == n || j == 0 || j == n;
-  });
-  std::vector<Uv> uv;
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    place[order[k]] = k;
-    uv.push_back(mesh.uv[order[k]]);
-  }
-  mesh.uv = uv;
-  for (Linked_triangle& t : mesh.triangles)
-    for (auto& v : t.vertices)
-      v = static_cast<Linked_triangle::Index>(place[v]);
-  for (const Uv& p : mesh.uv)
-    mesh.positions.push_back(surface.position(p));
   return mesh;
 }
 

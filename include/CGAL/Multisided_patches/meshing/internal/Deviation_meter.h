@@ -73,10 +73,10 @@ public:
 private:
   using Kernel = Simple_cartesian<double>;
 
-  // Barycentric coordinates of samples, up to their order: the last is that of one of the corners,
-  // the others are equal.
+  // The barycentric coordinate of samples for one of the corners; the others are equal. No sample
+  // is closer to the corners, as normals may have no limit there: at reflex corners of the domain.
   static constexpr double centroid = 1. / 3, towards_corner = 2. / 3, towards_edge = 1. / 6,
-                          at_corner = 0.94, at_edge = 0.02;
+                          near_corner = 0.85, at_edge = 0.02;
 
   static Uv sample(const Sampled_mesh& mesh, const Linked_triangle& t, int corner, double weight) {
     const auto p = [&](int i) { return mesh.uv[t.vertices[(corner + i) % 3]]; };
@@ -117,7 +117,7 @@ private:
           deviation = angle;
       }
     };
-    measure(at_corner);
+    measure(near_corner);
     if (effort == Effort::estimate)
       return deviation;
     measure(centroid);
