@@ -206,6 +206,46 @@ TEST_CASE("Normal deviations are kept along straight sides around which a surfac
   check(Patch(lifted_loop(u_shape(), bowl)));
 }
 
+TEST_CASE("Normal deviations are kept along straight sides around which a surface waves") {
+  // Products of Chebyshev polynomials, which turn the faster the closer they are to the sides.
+  const Formula_patch patch(centred_square(), [](auto u, auto v) {
+    const auto t12 = [](const auto& x) {
+      const auto t3 = 4 * x * x * x - 3 * x, t6 = 2 * t3 * t3 - 1.;
+      return 2 * t6 * t6 - 1.;
+    };
+    return std::array{u, v, 0.02 * t12(0.97 * u) * t12(0.97 * v)};
+  });
+  for (const double angle : {40., 20.}) {
+    CAPTURE(angle);
+    const Domain_mesh mesh = MP::mesh_domain(patch, Density::normal_deviation(angle));
+    CHECK(MP::domain_mesh_defect(patch.domain(), mesh) == "");
+    CHECK(Deviations(patch, mesh).normal <= angle);
+  }
+}
+
+TEST_CASE("Small normal deviations are kept on surfaces that twist next to reflex corners") {
+  const Patch patch(read_model("twisted_handle_root"));
+  for (const double angle : {3., 0.7}) {
+    CAPTURE(angle);
+    const Domain_mesh mesh = MP::mesh_domain(patch, Density::normal_deviation(angle));
+    CHECK(MP::domain_mesh_defect(patch.domain(), mesh) == "");
+    CHECK(Deviations(patch, mesh).normal <= angle);
+  }
+}
+
+TEST_CASE("A surface that is not finite in a spot does not pass for a flat one") {
+  const Formula_patch patch(centred_square(), [](auto u, auto v) {
+    const auto x = u - 0.1234567, y = v - 0.0456789;
+    const auto square = x * x + y * y;
+    const double spot =
+        square.value() < 0.012 * 0.012 ? std::numeric_limits<double>::quiet_NaN() : 0;
+    return std::array{u, v, 0.5 * u * v + spot};
+  });
+  // What is not seen, because no sample is in the spot, cannot be refused.
+  for (const double bound : {1e-3, 1e-4, 1e-5})
+    CHECK_THROWS_AS(MP::mesh_domain(patch, Density::chordal_deviation(bound)), MP::Numerical_error);
+}
+
 TEST_CASE("Uniform meshes with twice the triangles of adaptive ones deviate more") {
   for (const char* name : {"u_vent", "g2_blend", "spiral_volute", "plus_hub"}) {
     CAPTURE(name);

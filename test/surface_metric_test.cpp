@@ -80,14 +80,9 @@ TEST_CASE("The metric at a point that rounding has put outside is that next to i
   for (std::size_t from = 0; from < mesh.triangles.size(); ++from) {
     CAPTURE(from);
     std::size_t hint = from;
-    metric({3 - 1e-14, 4.25}, hint); // the third column ends at 3
+    metric({3 + 1e-14, 4.25}, hint); // the third column ends at 3
     const auto& v = mesh.triangles[hint].vertices;
     const Uv centroid = 1. / 3 * (mesh.uv[v[0]] + mesh.uv[v[1]] + mesh.uv[v[2]]);
     CHECK((centroid.x > 2 && centroid.x < 3 && centroid.y > 4 && centroid.y < 5));
-    hint = from;
-    metric({3 + 1e-14, 4.25}, hint);
-    const auto& w = mesh.triangles[hint].vertices;
-    const Uv other = 1. / 3 * (mesh.uv[w[0]] + mesh.uv[w[1]] + mesh.uv[w[2]]);
-    CHECK((other.x > 2 && other.x < 3 && other.y > 4 && other.y < 5));
   }
 }

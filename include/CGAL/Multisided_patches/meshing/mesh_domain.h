@@ -47,19 +47,19 @@ Side_parameters sample_sides(const Patch& patch, const Mesh_density& density,
   return sides;
 }
 
-// Returns mesh(share_of_turn), at first with 1. Where the surface twists along a side whose curve
-// does not turn, no triangles inside bring the normal deviation within its bound; then the sides
-// need more samples.
+// Returns mesh(share_of_turn, finality of the sides), at first with 1. Where the surface twists
+// along a side whose curve does not turn, no triangles inside bring the normal deviation within its
+// bound, or only slivers; then the sides need more samples.
 template <typename Function>
 auto find_share_of_turn(const Mesh_density& density, const Function& mesh) {
   constexpr double least = 1. / 8;
-  for (double share = 1;; share /= 2)
+  double share = density.max_normal_deviation() ? 1 : least;
+  for (; share > least; share /= 2)
     try {
-      return mesh(share);
+      return mesh(share, Sides::may_get_finer);
     } catch (const Coarse_sides_error&) {
-      if (!density.max_normal_deviation() || share <= least)
-        throw;
     }
+  return mesh(share, Sides::are_final);
 }
 
 // Calls start(edge_length), which returns a number of triangles, until that is the target up to a
@@ -105,8 +105,10 @@ void find_edge_length(std::size_t target, double area, double boundary_length, s
  * with a chordal deviation, by half of it; with a normal deviation, by the turn of the tangent.
  * (For a number of triangles, patches find edge lengths of their own. `Patch_complex` finds a
  * common one.) Inside, edges have about the target length on the average, or are as long as the
- * deviations allow, and change gradually. The deviations of all triangles are measured at 7 samples
- * in each, and triangles refined, until none exceeds the bounds.
+ * deviations allow, and change gradually. The deviations of all triangles are measured in each of
+ * them, distances at 7 to 10 samples and normals at 7, and triangles refined, until none exceeds
+ * the bounds. (Where a bound on normals asks for it, all sides get more samples, up to 16 times as
+ * many.)
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`: how
  * points of the surface are evaluated; the result is the same, bit for bit
@@ -124,8 +126,8 @@ void find_edge_length(std::size_t target, double area, double boundary_length, s
  * \throws Cancelled if the visitor wants so
  *
  * Complexity: O(m log m) in practice for m triangles, and some thousands and m / 24 points of the
- * surface, at which lengths are measured; with deviations, 7 points for each triangle, a few times
- * over.
+ * surface, at which lengths are measured; with deviations, the samples of each triangle, a few
+ * times over.
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag, typename Patch,
           typename Visitor = Tessellation_visitor>
@@ -134,8 +136,9 @@ mesh_domain(const Patch& patch, const Mesh_density& density, Visitor&& visitor =
   internal::Surface_mesher<Patch, ConcurrencyTag, std::remove_reference_t<Visitor>> mesher(patch,
                                                                                            visitor);
   if (density.max_chordal_deviation() || density.max_normal_deviation())
-    return internal::find_share_of_turn(density, [&](double share) {
-      return mesher.with_deviations(internal::sample_sides(patch, density, share), density);
+    return internal::find_share_of_turn(density, [&](double share, internal::Sides finality) {
+      return mesher.with_deviations(internal::sample_sides(patch, density, share), finality,
+                                    density);
     });
   const auto start = [&](double length) {
     return mesher.start(internal::sample_sides(patch, length), length);

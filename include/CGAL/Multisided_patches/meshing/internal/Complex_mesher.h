@@ -106,7 +106,9 @@ public:
     if (size() == 0)
       return make_connectivity();
     if (density.max_chordal_deviation() || density.max_normal_deviation())
-      find_share_of_turn(density, [&](double share) { mesh_domains(density, share); });
+      find_share_of_turn(density, [&](double share, Sides finality) {
+        mesh_domains(sample_all(density, share), finality, density);
+      });
     else
       mesh_domains_with_edge_length(density);
     meshers_.clear();
@@ -158,10 +160,10 @@ private:
         std::rethrow_exception(error);
   }
 
-  void mesh_domains(const Mesh_density& density, double share_of_turn) {
-    const std::vector<Side_parameters> sides = sample_all(density, share_of_turn);
+  void mesh_domains(const std::vector<Side_parameters>& sides, Sides finality,
+                    const Mesh_density& density) {
     for_each_patch([&](std::size_t k) {
-      domain_meshes_[k] = meshers_[k]->with_deviations(sides[k], density);
+      domain_meshes_[k] = meshers_[k]->with_deviations(sides[k], finality, density);
     });
   }
 

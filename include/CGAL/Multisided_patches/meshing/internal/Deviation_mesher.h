@@ -9,9 +9,11 @@
 #include <CGAL/Multisided_patches/errors.h>
 #include <CGAL/Multisided_patches/internal/Linked_triangle.h>
 #include <CGAL/Multisided_patches/internal/to_text.h>
+#include <CGAL/Multisided_patches/internal/vector_utils.h>
 #include <CGAL/Multisided_patches/meshing/Mesh_density.h>
 #include <CGAL/Multisided_patches/meshing/internal/Domain_mesher.h>
 #include <CGAL/Multisided_patches/meshing/internal/Refinement_outlook.h>
+#include <CGAL/Multisided_patches/meshing/internal/Sampled_mesh.h>
 #include <CGAL/Multisided_patches/meshing/internal/Surface_metric.h>
 #include <CGAL/Multisided_patches/meshing/internal/Surface_sampler.h>
 #include <CGAL/Multisided_patches/meshing/internal/edge_lengths.h>
@@ -29,6 +31,9 @@
 namespace CGAL {
 namespace Multisided_patches {
 namespace internal {
+
+// Whether there may be another try with more samples on the sides.
+enum class Sides { may_get_finer, are_final };
 
 // Deviations that more samples on the sides may bring within their bounds.
 class Coarse_sides_error : public Accuracy_error {
@@ -63,10 +68,12 @@ public:
   using Traits = typename Sampler::Traits;
   using Mesh = typename Sampler::Mesh;
 
-  Deviation_mesher(Sampler& sampler, const Side_parameters& sides, const Mesh_density& density)
-      : sampler_(sampler), surface_(sampler.surface()), sides_(sides),
-        meter_(surface_, density.max_chordal_deviation().value_or(infinity) / surface_.unit(),
-               density.max_normal_deviation().value_or(infinity), reserve),
+  Deviation_mesher(Sampler& sampler, const Side_parameters& sides, Sides finality,
+                   const Mesh_density& density)
+      : sampler_(sampler), surface_(sampler.surface()), sides_(sides), finality_(finality),
+        max_chordal_(density.max_chordal_deviation().value_or(infinity) / surface_.unit()),
+        max_normal_(density.max_normal_deviation().value_or(infinity)),
+        meter_(surface_, max_chordal_, max_normal_, reserve),
         longest_((std::min)(max_edge_length,
                             density.target_edge_length().value_or(infinity) / surface_.unit())) {}
 
@@ -162,7 +169,9 @@ private:
         failing.push_back(t);
     double height = least_height_on_sides;
     for (int round = 0; !failing.empty(); ++round) {
-      if (round == max_rounds || outlook.is_hopeless() || outlook.is_stuck())
+      // Many rounds make slivers, and more samples on the sides save them.
+      if (round == max_rounds || outlook.is_hopeless() || outlook.is_stuck() ||
+          (finality_ == Sides::may_get_finer && outlook.is_slow()))
         return accept_or_throw(sampled);
       const std::size_t old = sampled.uv.size();
       const std::set<Corners> corners = corners_of(sampled, failing);
@@ -220,16 +229,16 @@ private:
     return result;
   }
 
-  // Ends the refinement of a mesh that does not get better: it may still do without the
-  // reserve.
+  // Ends the refinement of a mesh that does not get better: it may still do without the reserve.
   void accept_or_throw(const Sampled_mesh& mesh) {
-    const std::vector<double> excess = sampler_.measure(meter_, mesh);
+    const Meter strict(surface_, max_chordal_, max_normal_, 1);
+    const std::vector<double> excess = sampler_.measure(strict, mesh);
     const auto worst =
         static_cast<std::size_t>(std::max_element(excess.begin(), excess.end()) - excess.begin());
-    const Linked_triangle& t = mesh.triangles[worst];
-    const auto deviation = meter_(mesh, t);
-    if (meter_.is_within_bounds(deviation))
+    if (!exceeds(excess[worst]))
       return;
+    const Linked_triangle& t = mesh.triangles[worst];
+    const auto deviation = strict(mesh, t);
     const std::string distance = to_short_text(deviation.chordal * surface_.unit()),
                       angle = to_short_text(deviation.normal * 180 / pi) + " degrees";
     const std::string message =
@@ -239,29 +248,16 @@ private:
                                   : distance + " and " + angle) +
         " at (u,v) = (" + to_short_text(mesh.uv[t.vertices[0]].x) + ", " +
         to_short_text(mesh.uv[t.vertices[0]].y) + ")";
-    if (may_be_due_to_sides(mesh, excess))
+    if (finality_ == Sides::may_get_finer)
       throw Coarse_sides_error(message, excess[worst]);
     throw Accuracy_error(message, excess[worst]);
-  }
-
-  // Whether more samples on the sides may help: it is a few triangles that deviate too much, such
-  // as next to a side whose segments are too long, or all of them have a segment for an edge. Along
-  // a crease or a fold there are many.
-  static bool may_be_due_to_sides(const Sampled_mesh& mesh, const std::vector<double>& excess) {
-    constexpr int few = 100;
-    int inside = 0;
-    for (std::size_t t = 0; t < excess.size(); ++t) {
-      const auto& neighbors = mesh.triangles[t].neighbors;
-      const bool has_segment =
-          std::find(neighbors.begin(), neighbors.end(), Linked_triangle::none) != neighbors.end();
-      inside += exceeds(excess[t]) && !has_segment;
-    }
-    return inside <= few;
   }
 
   Sampler& sampler_;
   const Surface& surface_;
   const Side_parameters& sides_;
+  Sides finality_;
+  double max_chordal_, max_normal_; // units of the surface, degrees
   Meter meter_;
   double longest_; // edge
 };

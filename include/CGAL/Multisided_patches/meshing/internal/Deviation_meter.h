@@ -14,17 +14,17 @@
 #include <CGAL/squared_distance_3.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace CGAL {
 namespace Multisided_patches {
 namespace internal {
 
 // Measures how far the triangles of a mesh are from the surface that they stand for, at samples
-// inside them: distances near the middle and next to the middles of the edges, and angles between
-// normals next to the corners, too, where they are largest on a smooth surface.
+// inside them: distances all over the triangle, and angles between normals next to the corners,
+// too, where they are largest on a smooth surface.
 //
 // The distance of a sample is that from its triangle or, if that is too large, from the nearest of
 // its neighbours, too: where the parameters run unevenly, a point of the surface often lies over
@@ -58,13 +58,9 @@ public:
     return deviation;
   }
 
-  bool is_within_bounds(const Deviation& deviation) const {
-    return deviation.chordal <= max_chordal_deviation_ && deviation.normal <= max_normal_deviation_;
-  }
-
   // By which factor edges are too long for these deviations: of a smooth surface, the distance from
   // it goes with the square of their length, and the angle with the length. Up to 1 is within the
-  // bounds.
+  // bounds, less the reserve.
   double excess(const Deviation& deviation) const {
     return (std::max)(std::sqrt(deviation.chordal / (reserve_ * max_chordal_deviation_)),
                       deviation.normal / (reserve_ * max_normal_deviation_));
@@ -73,10 +69,9 @@ public:
 private:
   using Kernel = Simple_cartesian<double>;
 
-  // The barycentric coordinate of samples for one of the corners; the others are equal. No sample
-  // is closer to the corners, as normals may have no limit there: at reflex corners of the domain.
+  // The barycentric coordinate of samples for one of the corners; the others are equal.
   static constexpr double centroid = 1. / 3, towards_corner = 2. / 3, towards_edge = 1. / 6,
-                          near_corner = 0.85, at_edge = 0.02;
+                          near_corner = 0.94, at_edge = 0.02;
 
   static Uv sample(const Sampled_mesh& mesh, const Linked_triangle& t, int corner, double weight) {
     const auto p = [&](int i) { return mesh.uv[t.vertices[(corner + i) % 3]]; };
@@ -88,7 +83,7 @@ private:
     double deviation = 0;
     const auto measure = [&](double weight) {
       for (int i = 0; i < (weight == centroid ? 1 : 3); ++i)
-        deviation = (std::max)(deviation, distance(mesh, t, sample(mesh, t, i, weight)));
+        raise(deviation, distance(mesh, t, sample(mesh, t, i, weight)));
     };
     measure(towards_corner);
     if (effort == Effort::estimate)
@@ -109,20 +104,27 @@ private:
     if (normal == Vec3{0, 0, 0})
       return pi;
     double deviation = 0;
-    const auto measure = [&](double weight) {
-      for (int i = 0; i < (weight == centroid ? 1 : 3); ++i) {
-        const Vec3 n = surface_.normal(sample(mesh, t, i, weight));
-        const double angle = angle_between(n, normal);
-        if (n != Vec3{0, 0, 0} && !(angle <= deviation))
-          deviation = angle;
-      }
+    const auto measure = [&](int corner, double weight) {
+      const Vec3 n = surface_.normal(sample(mesh, t, corner, weight));
+      if (n != Vec3{0, 0, 0})
+        raise(deviation, angle_between(n, normal));
     };
-    measure(near_corner);
+    const bool is_singular = std::any_of(t.vertices.begin(), t.vertices.end(),
+                                         [&](std::size_t v) { return mesh.is_singular(v); });
+    for (int i = 0; i < 3; ++i)
+      measure(i, is_singular ? towards_corner : near_corner);
     if (effort == Effort::estimate)
       return deviation;
-    measure(centroid);
-    measure(at_edge);
+    measure(0, centroid);
+    for (int i = 0; i < 3; ++i)
+      measure(i, at_edge);
     return deviation;
+  }
+
+  // A surface that is not finite deviates without end.
+  static void raise(double& deviation, double another) {
+    if (!(another <= deviation))
+      deviation = std::isnan(another) ? std::numeric_limits<double>::infinity() : another;
   }
 
   static Kernel::Point_3 to_point(const Vec3& p) { return {p[0], p[1], p[2]}; }

@@ -29,7 +29,7 @@ public:
     Round now;
     for (const double e : excess)
       if (e > 1) {
-        now.missing += e * e;
+        now.missing += (std::min)(e * e, most_for_one);
         ++now.failing;
       }
     const double needed = static_cast<double>(triangles) + now.missing;
@@ -38,6 +38,12 @@ public:
     rounds_.push_back(now);
     is_stuck_ =
         rounds_.size() > patience && has_no_progress(rounds_[rounds_.size() - 1 - patience]);
+  }
+  // Whether the triangles that fail become fewer only slowly, however few they are.
+  bool is_slow() const {
+    constexpr std::size_t least = 8, rounds = 4;
+    return rounds_.size() > least &&
+           rounds_.back().failing > 0.5 * rounds_[rounds_.size() - 1 - rounds].failing;
   }
   bool is_hopeless() const { return is_hopeless_; }
   // Whether the triangles that are divided give way to ones that fail as much as they did.
@@ -51,6 +57,8 @@ private:
 
   // Small features show only when the mesh has become fine, and then ask for more triangles.
   static constexpr double max_growth = 4, slack = 2000;
+  // A triangle that is turned over says nothing about how many it will take.
+  static constexpr double most_for_one = 1000;
   // A few triangles that fail round after round cost little.
   static constexpr double few = 300;
   static constexpr std::size_t patience = 4;

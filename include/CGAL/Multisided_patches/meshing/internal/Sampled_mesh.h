@@ -10,6 +10,8 @@
 #include <CGAL/Multisided_patches/internal/vector_utils.h>
 #include <CGAL/Multisided_patches/meshing/internal/Metric_2.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -21,6 +23,12 @@ struct Sampled_mesh {
   std::vector<Uv> uv;
   std::vector<Vec3> positions; // in any unit
   Linked_triangles triangles;
+  // Vertices at which the normals of the surface may have no limit, in increasing order.
+  std::vector<std::size_t> singular_vertices;
+
+  bool is_singular(std::size_t vertex) const {
+    return std::binary_search(singular_vertices.begin(), singular_vertices.end(), vertex);
+  }
 };
 
 } // namespace internal

@@ -124,9 +124,7 @@ private:
   double largest_excess(const std::vector<std::size_t>& star) const {
     double largest = 0;
     const auto include = [&](std::size_t t) {
-      const double excess = meter_.excess(meter_(mesh_, mesh_.triangles[t]));
-      largest = std::isnan(excess) ? std::numeric_limits<double>::infinity()
-                                   : (std::max)(largest, excess);
+      largest = (std::max)(largest, meter_.excess(meter_(mesh_, mesh_.triangles[t])));
     };
     for (const std::size_t t : star) {
       include(t);

@@ -11,6 +11,8 @@
 #include <CGAL/Multisided_patches/meshing/Mesh_density.h>
 #include <CGAL/Multisided_patches/meshing/internal/Deviation_mesher.h>
 #include <CGAL/Multisided_patches/meshing/internal/Domain_mesher.h>
+#include <CGAL/Multisided_patches/meshing/internal/Sampled_mesh.h>
+#include <CGAL/Multisided_patches/meshing/internal/Surface_metric.h>
 #include <CGAL/Multisided_patches/meshing/internal/Surface_sampler.h>
 #include <CGAL/Multisided_patches/meshing/internal/Uniform_metric.h>
 #include <CGAL/Multisided_patches/meshing/internal/even_parameters.h>
@@ -89,8 +91,8 @@ public:
   }
 
   // No deviation larger than the density says, and edges no longer, if it says so.
-  Mesh with_deviations(const Side_parameters& sides, const Mesh_density& density) {
-    return Deviation_mesher<Patch, ConcurrencyTag, Visitor>(sampler_, sides, density)
+  Mesh with_deviations(const Side_parameters& sides, Sides finality, const Mesh_density& density) {
+    return Deviation_mesher<Patch, ConcurrencyTag, Visitor>(sampler_, sides, finality, density)
         .mesh(coarse_, coarse_lengths_);
   }
 

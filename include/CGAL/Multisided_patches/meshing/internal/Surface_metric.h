@@ -94,11 +94,11 @@ public:
 
   // The metric at a point of the domain. The search starts at triangle `hint`, which is then the
   // one where it ended: the one with the point or, as rounding may have put it outside all of them,
-  // one next to it.
+  // one next to it. (It may also have given up far away, see search().)
   Metric_2 operator()(const Uv& p, std::size_t& hint) const {
     const std::size_t start = hint;
-    if (!walk(hint, p) && !is_next_to(hint, p))
-      hint = search(start, p);
+    if (!walk(hint, p) && !is_close(squared_distance(hint, p), hint, p))
+      hint = search(start, hint, p);
     return interpolate(hint, p);
   }
 
@@ -209,49 +209,54 @@ private:
     return cross(b - a, p - a) < 0;
   }
 
-  // Whether a point is in a triangle, or so close to it that rounding may be the reason.
-  bool is_next_to(std::size_t triangle, const Uv& p) const {
-    constexpr double close = 1e-6; // relative to the longest edge
+  // From a point to a triangle, about; 0 inside.
+  double squared_distance(std::size_t triangle, const Uv& p) const {
     const auto& v = triangles_[triangle].vertices;
     const std::array<double, 3> weights = weights_in(triangle, p);
-    const Uv q = weights[0] * uv_[v[0]] + weights[1] * uv_[v[1]] + weights[2] * uv_[v[2]];
-    double square = 0;
+    return squared_length(weights[0] * uv_[v[0]] + weights[1] * uv_[v[1]] + weights[2] * uv_[v[2]] -
+                          p);
+  }
+
+  // Whether a distance of a point from a triangle may be due to rounding, or does not matter.
+  bool is_close(double squared, std::size_t triangle, const Uv& p) const {
+    constexpr double relative = 1e-6, rounding = 1e-15; // to the longest edge, to coordinates
+    const auto& v = triangles_[triangle].vertices;
+    double longest = 0;
     for (int i = 0; i < 3; ++i)
-      square = (std::max)(square, squared_distance(uv_[v[i]], uv_[v[(i + 1) % 3]]));
-    return squared_distance(p, q) <= close * close * square;
+      longest = (std::max)(longest, squared_length(uv_[v[(i + 1) % 3]] - uv_[v[i]]));
+    const double close =
+        relative * std::sqrt(longest) + rounding * (std::max)(std::abs(p.x), std::abs(p.y));
+    return squared <= close * close;
   }
 
   // The triangle with a point, or a close one. Looks around corners of the domain, where a walk
   // ends at the boundary: always from the triangle that is the closest of those it has come to.
-  std::size_t search(std::size_t start, const Uv& p) const {
+  // Gives up when it has seen too many, and takes the closest one.
+  std::size_t search(std::size_t start, std::size_t end_of_walk, const Uv& p) const {
     constexpr std::size_t max_triangles = 10000;
     using Candidate = std::pair<double, std::size_t>; // squared distance, triangle
     std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> queue;
     std::unordered_set<std::size_t> seen;
     const auto add = [&](std::size_t t) {
-      if (t == Linked_triangle::none || !seen.insert(t).second)
-        return;
-      const auto& v = triangles_[t].vertices;
-      queue.push({squared_distance(1. / 3 * (uv_[v[0]] + uv_[v[1]] + uv_[v[2]]), p), t});
+      if (t != Linked_triangle::none && seen.insert(t).second)
+        queue.push({squared_distance(t, p), t});
     };
     add(start);
+    add(end_of_walk);
     Candidate closest = queue.top();
     while (!queue.empty() && seen.size() < max_triangles) {
       const Candidate now = queue.top();
       queue.pop();
-      if (is_next_to(now.second, p))
-        return now.second;
       closest = (std::min)(closest, now);
+      if (is_close(now.first, now.second, p))
+        break;
       for (const std::size_t n : triangles_[now.second].neighbors)
         add(n);
     }
     return closest.second;
   }
 
-  static double squared_distance(const Uv& p, const Uv& q) {
-    const Uv d = q - p;
-    return d.x * d.x + d.y * d.y;
-  }
+  static double squared_length(const Uv& a) { return a.x * a.x + a.y * a.y; }
 
   // Barycentric coordinates of a point, of which negative ones are left out.
   std::array<double, 3> weights_in(std::size_t triangle, const Uv& p) const {

@@ -11,14 +11,13 @@
 #include <CGAL/Multisided_patches/meshing/Domain_mesh_2.h>
 #include <CGAL/Multisided_patches/meshing/Tessellation_visitor.h>
 #include <CGAL/Multisided_patches/meshing/internal/Deviation_meter.h>
+#include <CGAL/Multisided_patches/meshing/internal/Metric_2.h>
 #include <CGAL/Multisided_patches/meshing/internal/Sampled_mesh.h>
 #include <CGAL/Multisided_patches/meshing/internal/Scaled_surface.h>
 #include <CGAL/Multisided_patches/meshing/internal/Sharp_triangle_mender.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <limits>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -27,7 +26,9 @@ namespace CGAL {
 namespace Multisided_patches {
 namespace internal {
 
-// Evaluates a patch for the meshes that are made of its domain, and tells a visitor meanwhile.
+// What is done with a patch for the meshes that are made of its domain: it is evaluated, their
+// deviations from it are measured, and their sharp triangles mended. A visitor hears of that, and
+// of how far a mesher has come.
 template <typename Patch, typename ConcurrencyTag, typename Visitor>
 class Surface_sampler {
 public:
@@ -75,8 +76,11 @@ public:
     in_blocks(n - old, [&](std::size_t k) {
       sampled.positions[old + k] = surface_.position(mesh.points[old + k], mesh.locations[old + k]);
     });
-    for (std::size_t k = old; k < n; ++k)
+    for (std::size_t k = old; k < n; ++k) {
       surface_.check_finite(sampled.positions[k], mesh.points[k]);
+      if (is_reflex_corner(mesh.locations[k]))
+        sampled.singular_vertices.push_back(k);
+    }
     sampled.triangles = std::move(triangles);
   }
 
@@ -86,8 +90,7 @@ public:
                               Effort effort = Effort::verification) {
     std::vector<double> excess(triangles.size());
     in_blocks(triangles.size(), [&](std::size_t k) {
-      const double e = meter.excess(meter(mesh, mesh.triangles[triangles[k]], effort));
-      excess[k] = std::isnan(e) ? std::numeric_limits<double>::infinity() : e;
+      excess[k] = meter.excess(meter(mesh, mesh.triangles[triangles[k]], effort));
     });
     return excess;
   }
@@ -107,6 +110,13 @@ public:
   }
 
 private:
+  using Location = typename Surface::Location;
+
+  bool is_reflex_corner(const Location& location) const {
+    return location.kind == Location::Kind::vertex &&
+           surface_.domain().corner_type(location.index) == Corner_type::reflex;
+  }
+
   // Calls f(k) for k < n, and tells the visitor in between.
   template <typename Function>
   void in_blocks(std::size_t n, const Function& f) {

@@ -41,7 +41,7 @@ inline std::vector<double> edge_lengths_for_excess(const Surface_metric& metric,
                                                    const std::vector<double>& excess,
                                                    double longest) {
   // Deviations scatter around what is aimed at. What is measured on a coarse mesh tells little
-  // about much finer ones; but what is measured on a fine one, all about coarser ones.
+  // about much finer ones. Coarser ones are limited by the growth of lengths and by `longest`.
   constexpr double aim = 0.8, max_shortening = 0.4;
   std::vector<double> lengths(metric.number_of_vertices(), longest);
   for (std::size_t t = 0; t < excess.size(); ++t) {

@@ -8,6 +8,8 @@
 
 #include <CGAL/Multisided_patches/internal/Linked_triangle.h>
 
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <vector>
@@ -26,24 +28,19 @@ struct Mesh_part {
 // triangles.
 inline std::vector<std::size_t> connected_components(const Linked_triangles& mesh) {
   constexpr std::size_t none = Linked_triangle::none;
-  std::vector<std::size_t> component(mesh.size(), none), stack;
+  boost::disjoint_sets_with_storage<> sets(mesh.size());
+  for (std::size_t t = 0; t < mesh.size(); ++t)
+    for (const std::size_t n : mesh[t].neighbors)
+      if (n != none && n < t)
+        sets.union_set(t, n);
+  std::vector<std::size_t> number(mesh.size(), none), component;
+  component.reserve(mesh.size());
   std::size_t count = 0;
-  const auto visit = [&](std::size_t t) {
-    if (t == none || component[t] != none)
-      return;
-    component[t] = count;
-    stack.push_back(t);
-  };
   for (std::size_t t = 0; t < mesh.size(); ++t) {
-    if (component[t] != none)
-      continue;
-    for (visit(t); !stack.empty();) {
-      const std::size_t next = stack.back();
-      stack.pop_back();
-      for (const std::size_t neighbor : mesh[next].neighbors)
-        visit(neighbor);
-    }
-    ++count;
+    std::size_t& c = number[sets.find_set(t)];
+    if (c == none)
+      c = count++;
+    component.push_back(c);
   }
   return component;
 }
