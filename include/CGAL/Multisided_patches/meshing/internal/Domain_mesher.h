@@ -15,6 +15,7 @@
 #include <CGAL/Multisided_patches/meshing/Domain_mesh_2.h>
 #include <CGAL/Multisided_patches/meshing/internal/Edge_halver.h>
 #include <CGAL/Multisided_patches/meshing/internal/Metric_refiner.h>
+#include <CGAL/Multisided_patches/meshing/internal/Side_parameters.h>
 #include <CGAL/Multisided_patches/meshing/internal/refine_where_needed.h>
 #include <CGAL/Multisided_patches/meshing/internal/refine_where_steep.h>
 
@@ -30,9 +31,6 @@
 namespace CGAL {
 namespace Multisided_patches {
 namespace internal {
-
-// For each side the parameters of its samples, increasing in (0,1).
-using Side_parameters = std::vector<std::vector<double>>;
 
 // What matters if lengths turn out to be other ones when they are measured on a finer mesh.
 enum class Keep { edge_length, number_of_triangles };

@@ -45,11 +45,11 @@ inline std::vector<double> edge_lengths_for_excess(const Surface_metric& metric,
   constexpr double aim = 0.8, max_shortening = 0.4;
   std::vector<double> lengths(metric.number_of_vertices(), longest);
   for (std::size_t t = 0; t < excess.size(); ++t) {
+    if (!(excess[t] > 0))
+      continue;
     const auto& v = metric.triangles()[t].vertices;
     const double length =
         (metric.length(v[0], v[1]) + metric.length(v[1], v[2]) + metric.length(v[2], v[0])) / 3;
-    if (!(excess[t] > 0))
-      continue;
     const double wanted = (std::max)(aim / excess[t], max_shortening) * length;
     for (const std::size_t k : v)
       lengths[k] = (std::min)(lengths[k], wanted);

@@ -9,7 +9,7 @@
 #include <CGAL/Multisided_patches/errors.h>
 #include <CGAL/Multisided_patches/internal/to_text.h>
 #include <CGAL/Multisided_patches/meshing/Mesh_density.h>
-#include <CGAL/Multisided_patches/meshing/internal/Domain_mesher.h>
+#include <CGAL/Multisided_patches/meshing/internal/Side_parameters.h>
 #include <CGAL/Multisided_patches/meshing/internal/Surface_metric.h>
 
 #include <cmath>
