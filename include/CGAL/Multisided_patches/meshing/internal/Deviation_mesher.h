@@ -248,9 +248,25 @@ private:
                                   : distance + " and " + angle) +
         " at (u,v) = (" + to_short_text(mesh.uv[t.vertices[0]].x) + ", " +
         to_short_text(mesh.uv[t.vertices[0]].y) + ")";
-    if (finality_ == Sides::may_get_finer)
+    if (finality_ == Sides::may_get_finer && may_be_due_to_sides(mesh, excess))
       throw Coarse_sides_error(message, excess[worst]);
     throw Accuracy_error(message, excess[worst]);
+  }
+
+  // Whether more samples on the sides may help: many of the triangles that deviate too much touch
+  // them. Along a crease or a fold hardly any do.
+  bool may_be_due_to_sides(const Sampled_mesh& mesh, const std::vector<double>& excess) const {
+    std::size_t samples = 0;
+    for (const std::vector<double>& side : sides_)
+      samples += side.size() + 1;
+    std::size_t all = 0, on_sides = 0;
+    for (std::size_t t = 0; t < excess.size(); ++t)
+      if (exceeds(excess[t])) {
+        const auto& v = mesh.triangles[t].vertices;
+        ++all;
+        on_sides += std::any_of(v.begin(), v.end(), [&](std::size_t k) { return k < samples; });
+      }
+    return 10 * on_sides >= all;
   }
 
   Sampler& sampler_;

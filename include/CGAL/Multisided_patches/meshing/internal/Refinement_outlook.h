@@ -27,11 +27,15 @@ public:
   // least.
   void update(std::size_t triangles, const std::vector<double>& excess) {
     Round now;
+    double capped = 0;
     for (const double e : excess)
       if (e > 1) {
-        now.missing += (std::min)(e * e, most_for_one);
+        now.missing += e * e;
+        capped += (std::min)(e * e, most_for_one);
         ++now.failing;
       }
+    if (now.failing <= few)
+      now.missing = capped;
     const double needed = static_cast<double>(triangles) + now.missing;
     is_hopeless_ = needed > max_growth * least_needed_ + slack;
     least_needed_ = (std::min)(least_needed_, needed);
@@ -57,8 +61,9 @@ private:
 
   // Small features show only when the mesh has become fine, and then ask for more triangles.
   static constexpr double max_growth = 4, slack = 2000;
-  // A triangle that is turned over says nothing about how many it will take.
-  static constexpr double most_for_one = 1000;
+  // If few triangles fail, some of them may be turned over, which says nothing about how many it
+  // will take.
+  static constexpr double most_for_one = 100;
   // A few triangles that fail round after round cost little.
   static constexpr double few = 300;
   static constexpr std::size_t patience = 4;

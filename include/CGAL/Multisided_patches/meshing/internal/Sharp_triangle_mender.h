@@ -49,7 +49,7 @@ public:
   // not all are tried. Calls progress(), which may throw, now and then.
   template <typename Progress>
   void mend(const Progress& progress) {
-    constexpr int sweeps = 3;
+    constexpr int sweeps = 10;
     constexpr std::size_t max_tries = 100000;
     tries_ = (std::min)(max_tries, 100 + mesh_.triangles.size() / 5);
     is_vertex_settled_.assign(triangle_of_.size(), false);
