@@ -107,7 +107,7 @@ void find_edge_length(std::size_t target, double area, double boundary_length, s
  * common one.) Inside, edges have about the target length on the average, or are as long as the
  * deviations allow, and change gradually. The deviations of all triangles are measured in each of
  * them, distances at 7 to 10 samples and normals at 7, and triangles refined, until none exceeds
- * the bounds. (Where a bound on normals asks for it, all sides get more samples, up to 16 times as
+ * the bounds. (Where a bound on normals asks for it, all sides get more samples, up to 8 times as
  * many.)
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`: how
