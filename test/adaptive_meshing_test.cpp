@@ -14,6 +14,7 @@
 #include <cmath>
 #include <initializer_list>
 #include <limits>
+#include <vector>
 
 using namespace fixtures;
 using Density = MP::Mesh_density;
@@ -308,6 +309,20 @@ TEST_CASE("Next to reflex corners, where parameters run unevenly, sharp triangle
       MP::tessellate(patch, mesh, Density::chordal_deviation(relative * patch.loop().diagonal()));
       CHECK(MP::check_mesh(mesh).smallest_angle > 22);
     }
+}
+
+TEST_CASE(
+    "Next to sides around which a surface twists, normal deviations are kept without slivers") {
+  const Patch patch(read_model("twisted_handle_root"));
+  for (const double degrees : {2.0, 1.0}) {
+    CAPTURE(degrees);
+    Mesh mesh;
+    MP::tessellate(patch, mesh, Density::normal_deviation(degrees));
+    const std::vector<double> angles = smallest_angles(mesh);
+    const auto sharp =
+        std::count_if(angles.begin(), angles.end(), [](double angle) { return angle < 20.7; });
+    CHECK(1000 * static_cast<double>(sharp) < static_cast<double>(angles.size()));
+  }
 }
 
 TEST_CASE("A crease or a tip keeps to chordal deviations, up to what is seen of it") {

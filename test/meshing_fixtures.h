@@ -18,7 +18,9 @@
 #include <array>
 #include <filesystem>
 #include <map>
+#include <numeric>
 #include <utility>
+#include <vector>
 
 // What tests of meshes of patches have in common.
 namespace fixtures {
@@ -136,16 +138,22 @@ inline double mean_edge_length(const Mesh& mesh) {
 }
 
 // The mean of the smallest angles of all triangles (degrees).
-inline double mean_smallest_angle(const Mesh& mesh) {
-  double sum = 0;
+// Of each triangle, in degrees.
+inline std::vector<double> smallest_angles(const Mesh& mesh) {
+  std::vector<double> result;
   for (const auto& t : triangles(mesh)) {
     double smallest = 180;
     for (std::size_t k = 0; k < 3; ++k)
       smallest =
           (std::min)(smallest, CGAL::approximate_angle(t[(k + 1) % 3], t[k], t[(k + 2) % 3]));
-    sum += smallest;
+    result.push_back(smallest);
   }
-  return sum / static_cast<double>(mesh.number_of_faces());
+  return result;
+}
+
+inline double mean_smallest_angle(const Mesh& mesh) {
+  const std::vector<double> angles = smallest_angles(mesh);
+  return std::accumulate(angles.begin(), angles.end(), 0.0) / static_cast<double>(angles.size());
 }
 
 } // namespace fixtures

@@ -49,7 +49,7 @@ Side_parameters sample_sides(const Patch& patch, const Mesh_density& density,
 
 // Returns mesh(share_of_turn, finality of the sides), at first with 1. Where the surface twists
 // along a side whose curve does not turn, no triangles inside bring the normal deviation within its
-// bound, or only slivers; then the sides need more samples.
+// bound, or only slivers do; then the sides need more samples.
 template <typename Function>
 auto find_share_of_turn(const Mesh_density& density, const Function& mesh) {
   constexpr double least = 1. / 8;

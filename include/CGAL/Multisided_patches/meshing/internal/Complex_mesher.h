@@ -75,8 +75,6 @@ template <typename Function>
 auto with_name(const std::string& name, const Function& f) {
   try {
     return f();
-  } catch (const Coarse_sides_error& error) {
-    throw Coarse_sides_error(name + ": " + error.what(), error.reached());
   } catch (const Accuracy_error& error) {
     throw Accuracy_error(name + ": " + error.what(), error.reached());
   } catch (const Numerical_error& error) {

@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <exception>
 #include <limits>
 #include <set>
 #include <string>
@@ -35,10 +36,10 @@ namespace internal {
 // Whether there may be another try with more samples on the sides.
 enum class Sides { may_get_finer, are_final };
 
-// Deviations that more samples on the sides may bring within their bounds.
-class Coarse_sides_error : public Accuracy_error {
+// There should be another try with more samples on the sides.
+class Coarse_sides_error : public std::exception {
 public:
-  using Accuracy_error::Accuracy_error;
+  const char* what() const noexcept override { return "the sides are too coarse"; }
 };
 
 // What a mesh tells about lengths on the surface, for the next one.
@@ -102,6 +103,9 @@ public:
       const bool is_coarser = count < least_count && expected_triangles(next.metric, sides_) <
                                                          worthwhile * static_cast<double>(count);
       if (round == max_rounds || outlook.is_hopeless() || (do_few_exceed(excess) && !is_coarser)) {
+        if (finality_ == Sides::may_get_finer && !outlook.is_hopeless() &&
+            are_sides_coarse(next.metric))
+          throw Coarse_sides_error();
         refine_where_exceeded(mesher, sampled, excess);
         return finish(mesher, sampled);
       }
@@ -146,6 +150,21 @@ private:
     metric.set_edge_lengths(edge_lengths_for_excess(metric, excess, longest_));
   }
 
+  // Whether many segments of sides are much longer than the edges that are wanted next to them.
+  // There the bounds are kept by slivers only, and after many rounds, if at all.
+  static bool are_sides_coarse(const Surface_metric& metric) {
+    constexpr double longest_good = 3, many = 0.05;
+    std::size_t all = 0, long_ones = 0;
+    for (const Linked_triangle& t : metric.triangles())
+      for (std::size_t i = 0; i < 3; ++i)
+        if (t.neighbors[i] == Linked_triangle::none) {
+          ++all;
+          long_ones += metric.length_in_edges(t.vertices[(i + 1) % 3], t.vertices[(i + 2) % 3]) >
+                       longest_good;
+        }
+    return static_cast<double>(long_ones) > many * static_cast<double>(all);
+  }
+
   // With the triangles of the sampled mesh, of which sharp ones are mended.
   Mesh finish(Mesher& mesher, Sampled_mesh& sampled) {
     Mesh mesh = mesher.finish();
@@ -169,9 +188,7 @@ private:
         failing.push_back(t);
     double height = least_height_on_sides;
     for (int round = 0; !failing.empty(); ++round) {
-      // Many rounds make slivers, and more samples on the sides save them.
-      if (round == max_rounds || outlook.is_hopeless() || outlook.is_stuck() ||
-          (finality_ == Sides::may_get_finer && outlook.is_slow()))
+      if (round == max_rounds || outlook.is_hopeless() || outlook.is_stuck())
         return accept_or_throw(sampled);
       const std::size_t old = sampled.uv.size();
       const std::set<Corners> corners = corners_of(sampled, failing);
@@ -237,6 +254,8 @@ private:
         static_cast<std::size_t>(std::max_element(excess.begin(), excess.end()) - excess.begin());
     if (!exceeds(excess[worst]))
       return;
+    if (finality_ == Sides::may_get_finer && may_be_due_to_sides(mesh, excess))
+      throw Coarse_sides_error();
     const Linked_triangle& t = mesh.triangles[worst];
     const auto deviation = strict(mesh, t);
     const std::string distance = to_short_text(deviation.chordal * surface_.unit()),
@@ -248,13 +267,11 @@ private:
                                   : distance + " and " + angle) +
         " at (u,v) = (" + to_short_text(mesh.uv[t.vertices[0]].x) + ", " +
         to_short_text(mesh.uv[t.vertices[0]].y) + ")";
-    if (finality_ == Sides::may_get_finer && may_be_due_to_sides(mesh, excess))
-      throw Coarse_sides_error(message, excess[worst]);
     throw Accuracy_error(message, excess[worst]);
   }
 
-  // Whether more samples on the sides may help: many of the triangles that deviate too much touch
-  // them. Along a crease or a fold hardly any do.
+  // Whether more samples on the sides may help: only few triangles deviate too much, or many of
+  // them touch sides. Along a crease or a fold hardly any do.
   bool may_be_due_to_sides(const Sampled_mesh& mesh, const std::vector<double>& excess) const {
     std::size_t samples = 0;
     for (const std::vector<double>& side : sides_)
@@ -266,7 +283,8 @@ private:
         ++all;
         on_sides += std::any_of(v.begin(), v.end(), [&](std::size_t k) { return k < samples; });
       }
-    return 10 * on_sides >= all;
+    constexpr std::size_t few = 100;
+    return all <= few || 10 * on_sides >= all;
   }
 
   Sampler& sampler_;

@@ -43,14 +43,9 @@ public:
     is_stuck_ =
         rounds_.size() > patience && has_no_progress(rounds_[rounds_.size() - 1 - patience]);
   }
-  // Whether the triangles that fail become fewer only slowly, however few they are.
-  bool is_slow() const {
-    constexpr std::size_t least = 8, rounds = 4;
-    return rounds_.size() > least &&
-           rounds_.back().failing > 0.5 * rounds_[rounds_.size() - 1 - rounds].failing;
-  }
   bool is_hopeless() const { return is_hopeless_; }
-  // Whether the triangles that are divided give way to ones that fail as much as they did.
+  // Whether the triangles that are divided give way to ones that fail as much as they did, or to
+  // many more.
   bool is_stuck() const { return is_stuck_; }
 
 private:
@@ -70,8 +65,9 @@ private:
 
   bool has_no_progress(const Round& before) const {
     const Round& now = rounds_.back();
-    return now.failing > few && now.failing > 0.75 * before.failing &&
-           now.mean() > before.mean() / 2;
+    const bool have_multiplied = now.failing > 2 * before.failing,
+               are_as_bad = now.failing > 0.75 * before.failing && now.mean() > before.mean() / 2;
+    return now.failing > few && (have_multiplied || are_as_bad);
   }
 
   std::vector<Round> rounds_;

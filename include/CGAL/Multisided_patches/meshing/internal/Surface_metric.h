@@ -133,6 +133,10 @@ public:
   double length(std::size_t v, std::size_t w) const {
     return (0.5 * (forms_[v] + forms_[w])).norm(uv_[w] - uv_[v]);
   }
+  // The same in units of the edge length that is wanted there.
+  double length_in_edges(std::size_t v, std::size_t w) const {
+    return (0.5 * (metrics_[v] + metrics_[w])).norm(uv_[w] - uv_[v]);
+  }
 
 private:
   // By how much squared lengths differ at the corners of a triangle, relative to the shorter ones.
