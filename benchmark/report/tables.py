@@ -65,7 +65,7 @@ INDICES = {"model", "plan", "domain", "kernel", "method"}
 COMMON = {"name", "family_index", "per_family_instance_index", "run_name", "run_type", "repetitions",
           "repetition_index", "threads", "iterations", "real_time", "cpu_time", "time_unit", "label",
           "error_occurred", "error_message", "aggregate_name", "aggregate_unit"}
-UNITS = {"s/": "s", "per_point": "s", "bytes/s": "B/s", "bytes_per_second": "B/s",
+UNITS = {"s/": "s", "per_point": "s", "bytes/s": "B/s", "bandwidth": "B/s", "bytes_per_second": "B/s",
          "flops/s": "flop/s"}
 
 
@@ -101,13 +101,16 @@ def number(name, value):
 class Case:
     """One benchmark: its arguments and what was measured, as text by column.
 
-    limits(threads) are the largest rates of the machine, by the names of rates.
+    limits(threads) are the largest rates of the machine, by the names of rates. A benchmark may
+    have measured its own `bandwidth`.
     """
 
     def __init__(self, benchmark, limits):
         self.name, *parts = re.split(r"/(?![^<]*>)", benchmark["name"])
         threads = re.search(r"/threads:(\d+)", benchmark["name"])
         self.limits = limits(int(threads.group(1)) if threads else 1)
+        if "bandwidth" in benchmark:
+            self.limits = {**self.limits, "bytes/s": benchmark["bandwidth"]}
         label = benchmark.get("label", "")
         # Angle brackets would be HTML.
         name = self.name.replace("_", " ").replace("<", ", ").replace(">", "")

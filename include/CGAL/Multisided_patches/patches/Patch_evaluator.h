@@ -197,6 +197,8 @@ public:
     internal::for_each_index<ConcurrencyTag>(
         blocks_.size(),
         [&](std::size_t b) {
+          if (b + 1 < blocks_.size())
+            blocks_[b + 1].prefetch_move(indices);
           if (is_refreshed(b))
             blocks_[b].compute(net_, unit());
           else

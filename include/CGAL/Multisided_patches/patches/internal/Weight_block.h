@@ -24,8 +24,12 @@ namespace Multisided_patches {
 namespace internal {
 
 // The weights of control points at a few consecutive samples of a surface, and the products of
-// weights and control points: points, and with order 1 first derivatives. Weights of one control
-// point are next to each other; control points without influence here have none.
+// weights and control points: points, and with order 1 first derivatives. Control points without
+// influence here have no weights.
+//
+// Weights are in the order in which they are used where all control points are taken together, so
+// that memory is read straight on. A strip has the values, or one of the derivatives, at as many
+// samples as sums of them fit into registers: a row for one control point after the other.
 //
 // Storage is the number type of the weights, `double` or `float`. Where all control points are
 // taken together, so are products and their sums; all else is in `double`.
@@ -36,35 +40,28 @@ public:
   // of a weight: its value and, with order 1, the derivatives by u and v
   static constexpr std::size_t parts = Jet_2<double, Order>::size;
   static constexpr std::size_t row = parts * samples;
+  // of a row of a strip
+  static constexpr std::size_t length = 128 / sizeof(Storage);
 
   // `dense` has, for one control point after the other, the values at all samples, and then the
   // derivatives; 0 at samples that there are not.
   void set_weights(const std::vector<double>& dense) {
-    const std::size_t size = dense.size() / row;
-    std::size_t count = 0;
-    const auto has_influence = [&](std::size_t c) {
-      return std::any_of(&dense[c * row], &dense[c * row] + row, [](double w) { return w != 0; });
-    };
-    std::vector<bool> needed(size);
-    for (std::size_t c = 0; c < size; ++c) {
-      needed[c] = has_influence(c);
-      count += needed[c] ? 1 : 0;
-    }
-    points_.reserve(count);
-    weights_.reserve(count * row);
-    double largest = -1;
-    for (std::size_t c = 0; c < size; ++c)
-      if (needed[c]) {
+    for (std::size_t c = 0; c < dense.size() / row; ++c)
+      if (has_nonzero(&dense[c * row], row))
         points_.push_back(static_cast<std::uint32_t>(c));
-        for (std::size_t k = 0; k < row; ++k) {
-          const double w = dense[c * row + k];
+    points_.shrink_to_fit();
+    weights_.reserve(points_.size() * row);
+    double largest = -1;
+    for (std::size_t strip = 0; strip < strips; ++strip)
+      for (const std::size_t c : points_)
+        for (std::size_t k = 0; k < length; ++k) {
+          const double w = dense[c * row + first_of(strip) + k];
           weights_.push_back(static_cast<Storage>(w));
           if (std::abs(w) > largest) {
             largest = std::abs(w);
             origin_ = c;
           }
         }
-      }
   }
 
   std::size_t number_of_weights() const { return weights_.size(); }
@@ -82,17 +79,16 @@ public:
     const std::array<double, 3> o = net[origin_];
     std::array<Storage, 3 * row> sums; // in units of `unit`
     sums.fill(0);
-    Weighted_triples<Storage, together> rows;
-    for (std::size_t e = 0; e < points_.size(); e += together) {
-      for (std::size_t i = 0; i < together; ++i) {
-        // Beyond the last point: any weights, times 0.
-        const bool exists = e + i < points_.size();
-        rows.weights[i] = &weights_[(exists ? e + i : e) * row];
-        const std::array<double, 3>& p = exists ? net[points_[e + i]] : o;
+    constexpr std::size_t together = 64; // as many as models have, so that reading goes straight on
+    std::array<std::array<Storage, 3>, together> triples;
+    for (std::size_t first = 0; first < points_.size(); first += together) {
+      const std::size_t count = (std::min)(together, points_.size() - first);
+      for (std::size_t i = 0; i < count; ++i)
         for (std::size_t c = 0; c < 3; ++c)
-          rows.triples[i][c] = static_cast<Storage>((p[c] - o[c]) / unit);
-      }
-      add_weighted_triples<samples, parts>(rows, sums.data());
+          triples[i][c] = static_cast<Storage>((net[points_[first + i]][c] - o[c]) / unit);
+      for (std::size_t strip = 0; strip < strips; ++strip)
+        add_weighted_triples<length>(weights(strip, first), triples.data(), count,
+                                     &sums[first_result_of(strip)], samples);
     }
     for (std::size_t part = 0; part < parts; ++part)
       for (std::size_t c = 0; c < 3; ++c)
@@ -104,10 +100,25 @@ public:
   void move(const std::vector<std::size_t>& indices,
             const std::vector<std::array<double, 3>>& motion) {
     for (const std::size_t c : indices) {
-      const auto found = std::lower_bound(points_.begin(), points_.end(), c);
-      if (found != points_.end() && *found == c)
-        add(&weights_[static_cast<std::size_t>(found - points_.begin()) * row], motion[c]);
+      const std::size_t i = row_of(c);
+      if (i < points_.size())
+        add(i, motion[c]);
     }
+  }
+
+  // Asks memory for what move() will need, which lies too scattered for processors to foresee.
+  void prefetch_move(const std::vector<std::size_t>& indices) const {
+    bool moves = false;
+    for (const std::size_t c : indices) {
+      const std::size_t i = row_of(c);
+      if (i == points_.size())
+        continue;
+      moves = true;
+      for (std::size_t strip = 0; strip < strips; ++strip)
+        prefetch(weights(strip, i), length);
+    }
+    if (moves)
+      prefetch(results_.data(), results_.size());
   }
 
   // coordinate `c` of a point, part 0, or a derivative, parts 1 and 2
@@ -139,8 +150,41 @@ public:
 private:
   double* result(std::size_t part, std::size_t c) { return &results_[(part * 3 + c) * samples]; }
 
-  // How many rows are read side by side.
-  static constexpr std::size_t together = std::is_same_v<Storage, float> ? 8 : 4;
+  static constexpr std::size_t strips = row / length;
+  // Where a strip begins in what has the values at all samples first, and then the derivatives.
+  static constexpr std::size_t first_of(std::size_t strip) {
+    return strip % parts * samples + strip / parts * length;
+  }
+  static constexpr std::size_t first_result_of(std::size_t strip) {
+    return strip % parts * 3 * samples + strip / parts * length;
+  }
+
+  // The row of the i-th control point that has influence.
+  const Storage* weights(std::size_t strip, std::size_t i) const {
+    return &weights_[(strip * points_.size() + i) * length];
+  }
+
+  // The row of a control point; their number if it has no influence.
+  std::size_t row_of(std::size_t c) const {
+    const auto found = std::lower_bound(points_.begin(), points_.end(), c);
+    return found != points_.end() && *found == c ? static_cast<std::size_t>(found - points_.begin())
+                                                 : points_.size();
+  }
+
+  // Into the cache of the second level: what several control points need may be too much for the
+  // first.
+  template <typename Number>
+  static void prefetch([[maybe_unused]] const Number* numbers, [[maybe_unused]] std::size_t count) {
+#ifdef __GNUC__
+    constexpr std::size_t line = 64 / sizeof(Number);
+    for (std::size_t k = 0; k < count; k += line)
+      __builtin_prefetch(numbers + k, 0, 2);
+#endif
+  }
+
+  static bool has_nonzero(const double* numbers, std::size_t count) {
+    return std::any_of(numbers, numbers + count, [](double w) { return w != 0; });
+  }
 
   void set_result(std::size_t part, std::size_t c, const Storage* sums, double unit,
                   double origin) {
@@ -150,30 +194,24 @@ private:
       (offset + factor * Number_pack::load(sums + k)).store(values + k);
   }
 
-  // Adds the products of the motion of one control point with its weights.
-  void add(const Storage* weights, const std::array<double, 3>& motion) {
+  // Adds the products of the motion of the i-th control point that has influence with its weights.
+  void add(std::size_t i, const std::array<double, 3>& motion) {
     const Number_pack mx(motion[0]), my(motion[1]), mz(motion[2]);
-    for (std::size_t part = 0; part < parts; ++part) {
-      double *const x = result(part, 0), *const y = result(part, 1), *const z = result(part, 2);
-      for (std::size_t k = 0; k < samples; k += Number_pack::lanes) {
-        prefetch_next_results(part * samples + k);
-        const Number_pack w = Number_pack::load(weights + part * samples + k);
-        (w * mx).add_to(x + k);
-        (w * my).add_to(y + k);
-        (w * mz).add_to(z + k);
+    for (std::size_t strip = 0; strip < strips; ++strip) {
+      const Storage* const w = weights(strip, i);
+      double* const x = &results_[first_result_of(strip)];
+      for (std::size_t k = 0; k < length; k += lanes) {
+        const Number_pack weight = Number_pack::load(w + k);
+        (weight * mx).add_to(x + k);
+        (weight * my).add_to(x + samples + k);
+        (weight * mz).add_to(x + 2 * samples + k);
       }
     }
   }
 
-  // The results of the next block, if blocks are elements of an array: those at the same places as
-  // three packs here.
-  void prefetch_next_results(std::size_t number) const {
-    constexpr std::size_t share = 3 * sizeof(double);
-    if (number * share % 64 < Number_pack::lanes * share)
-      prefetch_memory(&results_, sizeof(*this) + number * share);
+  static bool any_is_undefined(const Number_pack& x) {
+    return !(x[0] == x[0] && x[1] == x[1]);
   }
-
-  static bool any_is_undefined(const Number_pack& x) { return !(x[0] == x[0] && x[1] == x[1]); }
 
   std::array<Number_pack, 3> pack(std::size_t part, std::size_t k) const {
     return {load(part, 0, k), load(part, 1, k), load(part, 2, k)};

@@ -8,7 +8,6 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <cstring>
 #include <utility>
 
@@ -29,24 +28,6 @@ namespace CGAL {
 namespace Multisided_patches {
 namespace internal {
 
-// A few rows of weights, side by side, with a triple each.
-template <typename Number, std::size_t Size>
-struct Weighted_triples {
-  std::array<const Number*, Size> weights; // each at the start of its row
-  std::array<std::array<Number, 3>, Size> triples;
-};
-
-// Rows that are read side by side are streams that processors do not foresee. So what follows in
-// memory is asked for while they are used.
-CGAL_MULTISIDED_PATCHES_ALWAYS_INLINE void prefetch_memory([[maybe_unused]] const void* start,
-                                                           [[maybe_unused]] std::size_t offset) {
-#ifdef __GNUC__
-  // An address, which may be past the end.
-  __builtin_prefetch(
-      reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(start) + offset));
-#endif
-}
-
 // Numbers of which so many bytes are worked on at once.
 template <typename Number, std::size_t Bytes>
 struct Vector_of {
@@ -58,11 +39,14 @@ struct Vector_of {
   static constexpr std::size_t lanes = sizeof(Type) / sizeof(Number);
 };
 
+template <typename Vector>
+using Vector_triple = std::array<Vector, 3>;
+
 // (References, as what is passed in wide vectors depends on what the program is compiled for.)
 template <typename Vector, typename Number>
 CGAL_MULTISIDED_PATCHES_ALWAYS_INLINE void add_product(const Number* weights,
-                                                       const std::array<Vector, 3>& triple,
-                                                       std::array<Vector, 3>& sums) {
+                                                       const Vector_triple<Vector>& triple,
+                                                       Vector_triple<Vector>& sums) {
   Vector w;
   std::memcpy(&w, weights, sizeof(w));
   sums[0] += w * triple[0];
@@ -78,39 +62,38 @@ CGAL_MULTISIDED_PATCHES_ALWAYS_INLINE void add_to(Number* numbers, const Vector&
   std::memcpy(numbers, &sum, sizeof(sum));
 }
 
-// What add_weighted_triples() does, so many bytes at a time.
-template <std::size_t Bytes, std::size_t Length, std::size_t Parts, typename Number,
-          std::size_t Size, std::size_t... I>
+// What add_weighted_triples() does, so many bytes at a time. As many vectors of each row are taken
+// together as there are indices I: their sums stay in registers, and reading goes straight on.
+template <std::size_t Bytes, std::size_t Length, typename Number, std::size_t... I>
 CGAL_MULTISIDED_PATCHES_ALWAYS_INLINE void
-add_weighted_triples_in(const Weighted_triples<Number, Size>& rows, Number* sums,
+add_weighted_triples_in(const Number* weights, const std::array<Number, 3>* triples,
+                        std::size_t rows, Number* sums, std::size_t stride,
                         std::index_sequence<I...>) {
   using Vector = typename Vector_of<Number, Bytes>::Type;
   constexpr std::size_t lanes = Vector_of<Number, Bytes>::lanes;
-  static_assert(Length % lanes == 0);
-  constexpr std::size_t distance = 8192; // bytes; what memory delivers while rows are used
-  std::array<std::array<Vector, 3>, Size> triples;
-  for (std::size_t i = 0; i < Size; ++i)
-    for (std::size_t c = 0; c < 3; ++c)
-      triples[i][c] = rows.triples[i][c] - Vector{};
-  for (std::size_t part = 0; part < Parts; ++part) {
-    Number* const x = sums + part * 3 * Length;
-    for (std::size_t k = 0; k < Length; k += lanes) {
-      const std::size_t at = part * Length + k;
-      for (std::size_t byte = 0; byte < sizeof(Vector) * Size; byte += 64)
-        prefetch_memory(rows.weights[0], at * sizeof(Number) * Size + byte + distance);
-      std::array<Vector, 3> sum{};
-      (add_product(rows.weights[I] + at, triples[I], sum), ...); // a loop might not be unrolled
-      for (std::size_t c = 0; c < 3; ++c)
-        add_to(x + c * Length + k, sum[c]);
+  static_assert(Length % (sizeof...(I) * lanes) == 0);
+  for (std::size_t k = 0; k < Length; k += sizeof...(I) * lanes) {
+    std::array<Vector_triple<Vector>, sizeof...(I)> sum{};
+    for (std::size_t r = 0; r < rows; ++r) {
+      const Vector_triple<Vector> triple{triples[r][0] - Vector{}, triples[r][1] - Vector{},
+                                         triples[r][2] - Vector{}};
+      // A loop might not be unrolled.
+      (add_product(weights + r * Length + k + I * lanes, triple, sum[I]), ...);
     }
+    for (std::size_t c = 0; c < 3; ++c)
+      (add_to(sums + c * stride + k + I * lanes, sum[I][c]), ...);
   }
 }
 
+// Twelve sums, a triple and a vector of weights are all that the sixteen registers hold.
+using Vectors_of_row = std::make_index_sequence<4>;
+
 #ifdef CGAL_MULTISIDED_PATCHES_ASK_FOR_AVX2
-template <std::size_t Length, std::size_t Parts, typename Number, std::size_t Size>
-[[gnu::target("avx2")]] void add_weighted_triples_avx2(const Weighted_triples<Number, Size>& rows,
-                                                       Number* sums) {
-  add_weighted_triples_in<32, Length, Parts>(rows, sums, std::make_index_sequence<Size>());
+template <std::size_t Length, typename Number>
+[[gnu::target("avx2")]] void
+add_weighted_triples_avx2(const Number* weights, const std::array<Number, 3>* triples,
+                          std::size_t rows, Number* sums, std::size_t stride) {
+  add_weighted_triples_in<32, Length>(weights, triples, rows, sums, stride, Vectors_of_row());
 }
 inline bool has_avx2() {
   static const bool result = __builtin_cpu_supports("avx2") != 0;
@@ -118,21 +101,22 @@ inline bool has_avx2() {
 }
 #endif
 
-// Adds the products of triples and weights: for part p and coordinate c to the `Length` numbers
-// from (3 p + c) Length on. The weights of part p start at p Length in every row. `Length` is a
-// multiple of 8.
-template <std::size_t Length, std::size_t Parts, typename Number, std::size_t Size>
-void add_weighted_triples(const Weighted_triples<Number, Size>& rows, Number* sums) {
+// Adds the products of triples with a row of `Length` weights each, which follow each other: for
+// coordinate c to the `Length` numbers from `sums[c * stride]` on. `Length` numbers are a multiple
+// of 128 bytes.
+template <std::size_t Length, typename Number>
+void add_weighted_triples(const Number* weights, const std::array<Number, 3>* triples,
+                          std::size_t rows, Number* sums, std::size_t stride) {
 #ifdef CGAL_MULTISIDED_PATCHES_ASK_FOR_AVX2
   if (has_avx2())
-    return add_weighted_triples_avx2<Length, Parts>(rows, sums);
+    return add_weighted_triples_avx2<Length>(weights, triples, rows, sums, stride);
 #endif
 #ifdef __AVX2__
   constexpr std::size_t bytes = 32;
 #else
   constexpr std::size_t bytes = 16;
 #endif
-  add_weighted_triples_in<bytes, Length, Parts>(rows, sums, std::make_index_sequence<Size>());
+  add_weighted_triples_in<bytes, Length>(weights, triples, rows, sums, stride, Vectors_of_row());
 }
 
 } // namespace internal
