@@ -316,8 +316,10 @@ TEST_CASE(
   const Patch patch(read_model("twisted_handle_root"));
   for (const double degrees : {2.0, 1.0}) {
     CAPTURE(degrees);
+    const Density density = Density::normal_deviation(degrees);
+    CHECK(Deviations(patch, MP::mesh_domain(patch, density)).normal <= degrees);
     Mesh mesh;
-    MP::tessellate(patch, mesh, Density::normal_deviation(degrees));
+    MP::tessellate(patch, mesh, density);
     const std::vector<double> angles = smallest_angles(mesh);
     const auto sharp =
         std::count_if(angles.begin(), angles.end(), [](double angle) { return angle < 20.7; });

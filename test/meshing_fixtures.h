@@ -137,8 +137,7 @@ inline double mean_edge_length(const Mesh& mesh) {
   return sum / static_cast<double>(mesh.number_of_edges());
 }
 
-// The mean of the smallest angles of all triangles (degrees).
-// Of each triangle, in degrees.
+// The smallest angle of each triangle (degrees).
 inline std::vector<double> smallest_angles(const Mesh& mesh) {
   std::vector<double> result;
   for (const auto& t : triangles(mesh)) {
@@ -151,6 +150,7 @@ inline std::vector<double> smallest_angles(const Mesh& mesh) {
   return result;
 }
 
+// Their mean (degrees).
 inline double mean_smallest_angle(const Mesh& mesh) {
   const std::vector<double> angles = smallest_angles(mesh);
   return std::accumulate(angles.begin(), angles.end(), 0.0) / static_cast<double>(angles.size());

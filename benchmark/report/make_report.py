@@ -115,7 +115,7 @@ def summary(results):
         for size in (1000000, 100000):
             case = results.find(
                 rf"all_control_points_move<1, double>/points:{size}/threads:{threads}\b")
-            if case:
+            if case and "bandwidth" in case:
                 add(f"{size:,} points and normals anew, all control points having moved, {threads} "
                     f"thread{'s' if threads > 1 else ''}", quantity(seconds(case), "s"),
                     f"{100 * case['bytes/s'] / case['bandwidth']:.0f} % of the memory bandwidth")

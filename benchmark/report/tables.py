@@ -65,8 +65,8 @@ INDICES = {"model", "plan", "domain", "kernel", "method"}
 COMMON = {"name", "family_index", "per_family_instance_index", "run_name", "run_type", "repetitions",
           "repetition_index", "threads", "iterations", "real_time", "cpu_time", "time_unit", "label",
           "error_occurred", "error_message", "aggregate_name", "aggregate_unit"}
-UNITS = {"s/": "s", "per_point": "s", "bytes/s": "B/s", "bandwidth": "B/s", "bytes_per_second": "B/s",
-         "flops/s": "flop/s"}
+UNITS = {"s/": "s", "per_point": "s", "bytes/s": "B/s", "bytes_per_second": "B/s",
+         "bandwidth": "B/s", "flops/s": "flop/s"}
 
 
 def markdown_table(header, rows):

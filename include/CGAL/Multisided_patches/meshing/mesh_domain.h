@@ -19,6 +19,7 @@
 #include <cstddef>
 #include <limits>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -47,19 +48,27 @@ Side_parameters sample_sides(const Patch& patch, const Mesh_density& density,
   return sides;
 }
 
-// Returns mesh(share_of_turn, finality of the sides), at first with 1. Where the surface twists
-// along a side whose curve does not turn, no triangles inside bring the normal deviation within its
-// bound, or only slivers do; then the sides need more samples.
-template <typename Function>
-auto find_share_of_turn(const Mesh_density& density, const Function& mesh) {
+// Returns mesh(sides, finality of the sides) with the sides that sample(share_of_turn) returns, at
+// first for 1. Where the surface twists along a side whose curve does not turn, no triangles inside
+// bring the normal deviation within its bound, or only slivers do; then the sides need more
+// samples.
+template <typename Sample, typename Function>
+auto mesh_with_share_of_turn(const Mesh_density& density, const Sample& sample,
+                             const Function& mesh) {
   constexpr double least = 1. / 8;
   double share = density.max_normal_deviation() ? 1 : least;
-  for (; share > least; share /= 2)
+  decltype(sample(share)) coarse;
+  for (; share > least; share /= 2) {
+    auto sides = sample(share);
+    if (sides == coarse) // other bounds ask for more samples
+      continue;
     try {
-      return mesh(share, Sides::may_get_finer);
+      return mesh(sides, Sides::may_get_finer);
     } catch (const Coarse_sides_error&) {
+      coarse = std::move(sides);
     }
-  return mesh(share, Sides::are_final);
+  }
+  return mesh(sample(share), Sides::are_final);
 }
 
 // Calls start(edge_length), which returns a number of triangles, until that is the target up to a
@@ -136,10 +145,11 @@ mesh_domain(const Patch& patch, const Mesh_density& density, Visitor&& visitor =
   internal::Surface_mesher<Patch, ConcurrencyTag, std::remove_reference_t<Visitor>> mesher(patch,
                                                                                            visitor);
   if (density.max_chordal_deviation() || density.max_normal_deviation())
-    return internal::find_share_of_turn(density, [&](double share, internal::Sides finality) {
-      return mesher.with_deviations(internal::sample_sides(patch, density, share), finality,
-                                    density);
-    });
+    return internal::mesh_with_share_of_turn(
+        density, [&](double share) { return internal::sample_sides(patch, density, share); },
+        [&](const internal::Side_parameters& sides, internal::Sides finality) {
+          return mesher.with_deviations(sides, finality, density);
+        });
   const auto start = [&](double length) {
     return mesher.start(internal::sample_sides(patch, length), length);
   };

@@ -308,7 +308,7 @@ private:
     using Jet = Jet_2<Number, Order>;
     const std::size_t begin = b * Block::samples, end = (std::min)(begin + Block::samples, size_);
     std::vector<Jet> weights(basis_.size());
-    std::vector<double> dense(basis_.size() * Block::row, 0.0);
+    std::vector<double> dense(basis_.size() * Block::weights_of_point, 0.0);
     typename Basis::template Workspace<Jet> workspace;
     patch.template for_each_pack<Order, Number>(
         end - begin, [&](std::size_t k) -> const auto& { return points[begin + k]; },
@@ -318,7 +318,8 @@ private:
           for (std::size_t c = 0; c < weights.size(); ++c)
             for (std::size_t part = 0; part < Block::parts; ++part)
               for (std::size_t k = first; k < last; ++k)
-                dense[c * Block::row + part * Block::samples + k] = weights[c][part][k - first];
+                dense[c * Block::weights_of_point + part * Block::samples + k] =
+                    weights[c][part][k - first];
         });
     if constexpr (Order >= 1)
       for (std::size_t k = begin; k < end; ++k)
@@ -354,7 +355,7 @@ private:
     }
     typename Basis::template Workspace<Jet> workspace;
     basis_.evaluate(domain, lambda.data(), weights.data(), workspace);
-    for (std::size_t c = 0; c < weights.size(); ++c, at += Block::row) {
+    for (std::size_t c = 0; c < weights.size(); ++c, at += Block::weights_of_point) {
       const double along_a = weights[c][1][0], along_b = weights[c][1][1];
       at[0] = (along_a * b.y() - along_b * a.y()) / determinant;
       at[Block::samples] = (along_b * a.x() - along_a * b.x()) / determinant;

@@ -24,6 +24,7 @@
 #include <tbb/task_arena.h>
 #endif
 
+#include <algorithm>
 #include <cstddef>
 #include <exception>
 #include <limits>
@@ -104,9 +105,11 @@ public:
     if (size() == 0)
       return make_connectivity();
     if (density.max_chordal_deviation() || density.max_normal_deviation())
-      find_share_of_turn(density, [&](double share, Sides finality) {
-        mesh_domains(sample_all(density, share), finality, density);
-      });
+      mesh_with_share_of_turn(
+          density, [&](double share) { return sample_all(density, share); },
+          [&](const std::vector<Side_parameters>& sides, Sides finality) {
+            mesh_domains(sides, finality, density);
+          });
     else
       mesh_domains_with_edge_length(density);
     meshers_.clear();
@@ -160,9 +163,16 @@ private:
 
   void mesh_domains(const std::vector<Side_parameters>& sides, Sides finality,
                     const Mesh_density& density) {
+    std::vector<char> are_coarse(size(), false); // which is no error, unlike what others may have
     for_each_patch([&](std::size_t k) {
-      domain_meshes_[k] = meshers_[k]->with_deviations(sides[k], finality, density);
+      try {
+        domain_meshes_[k] = meshers_[k]->with_deviations(sides[k], finality, density);
+      } catch (const Coarse_sides_error&) {
+        are_coarse[k] = true;
+      }
     });
+    if (std::find(are_coarse.begin(), are_coarse.end(), true) != are_coarse.end())
+      throw Coarse_sides_error();
   }
 
   void mesh_domains_with_edge_length(const Mesh_density& density) {

@@ -150,8 +150,8 @@ private:
     metric.set_edge_lengths(edge_lengths_for_excess(metric, excess, longest_));
   }
 
-  // Whether many segments of sides are much longer than the edges that are wanted next to them.
-  // There the bounds are kept by slivers only, and after many rounds, if at all.
+  // Whether one in twenty segments of sides is much longer than the edges that are wanted next to
+  // it. There the bounds are kept by slivers only, and after many rounds, if at all.
   static bool are_sides_coarse(const Surface_metric& metric) {
     constexpr double longest_good = 3, many = 0.05;
     std::size_t all = 0, long_ones = 0;
@@ -270,8 +270,8 @@ private:
     throw Accuracy_error(message, excess[worst]);
   }
 
-  // Whether more samples on the sides may help: only few triangles deviate too much, or many of
-  // them touch sides. Along a crease or a fold hardly any do.
+  // Whether more samples on the sides may help: triangles that deviate too much touch them, and are
+  // more than hardly any of all that do, as they are along a crease or a fold.
   bool may_be_due_to_sides(const Sampled_mesh& mesh, const std::vector<double>& excess) const {
     std::size_t samples = 0;
     for (const std::vector<double>& side : sides_)
@@ -284,7 +284,7 @@ private:
         on_sides += std::any_of(v.begin(), v.end(), [&](std::size_t k) { return k < samples; });
       }
     constexpr std::size_t few = 100;
-    return all <= few || 10 * on_sides >= all;
+    return on_sides > 0 && (all <= few || 10 * on_sides >= all);
   }
 
   Sampler& sampler_;

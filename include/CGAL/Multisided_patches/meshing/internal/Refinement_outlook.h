@@ -44,8 +44,8 @@ public:
         rounds_.size() > patience && has_no_progress(rounds_[rounds_.size() - 1 - patience]);
   }
   bool is_hopeless() const { return is_hopeless_; }
-  // Whether the triangles that are divided give way to ones that fail as much as they did, or to
-  // many more.
+  // Whether the triangles that are divided give way to ones that fail as much as they did, or to so
+  // many more that there is more to do than before.
   bool is_stuck() const { return is_stuck_; }
 
 private:
@@ -65,7 +65,7 @@ private:
 
   bool has_no_progress(const Round& before) const {
     const Round& now = rounds_.back();
-    const bool have_multiplied = now.failing > 2 * before.failing,
+    const bool have_multiplied = now.failing > 2 * before.failing && now.missing > before.missing,
                are_as_bad = now.failing > 0.75 * before.failing && now.mean() > before.mean() / 2;
     return now.failing > few && (have_multiplied || are_as_bad);
   }

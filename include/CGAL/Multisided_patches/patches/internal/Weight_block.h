@@ -16,7 +16,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -39,23 +38,22 @@ public:
   static constexpr std::size_t samples = 64;
   // of a weight: its value and, with order 1, the derivatives by u and v
   static constexpr std::size_t parts = Jet_2<double, Order>::size;
-  static constexpr std::size_t row = parts * samples;
-  // of a row of a strip
-  static constexpr std::size_t length = 128 / sizeof(Storage);
+  static constexpr std::size_t weights_of_point = parts * samples;
+  static constexpr std::size_t row_length = 128 / sizeof(Storage); // of a strip
 
   // `dense` has, for one control point after the other, the values at all samples, and then the
   // derivatives; 0 at samples that there are not.
   void set_weights(const std::vector<double>& dense) {
-    for (std::size_t c = 0; c < dense.size() / row; ++c)
-      if (has_nonzero(&dense[c * row], row))
+    for (std::size_t c = 0; c < dense.size() / weights_of_point; ++c)
+      if (has_nonzero(&dense[c * weights_of_point], weights_of_point))
         points_.push_back(static_cast<std::uint32_t>(c));
     points_.shrink_to_fit();
-    weights_.reserve(points_.size() * row);
+    weights_.reserve(points_.size() * weights_of_point);
     double largest = -1;
     for (std::size_t strip = 0; strip < strips; ++strip)
       for (const std::size_t c : points_)
-        for (std::size_t k = 0; k < length; ++k) {
-          const double w = dense[c * row + first_of(strip) + k];
+        for (std::size_t k = 0; k < row_length; ++k) {
+          const double w = dense[c * weights_of_point + first_of(strip) + k];
           weights_.push_back(static_cast<Storage>(w));
           if (std::abs(w) > largest) {
             largest = std::abs(w);
@@ -77,7 +75,7 @@ public:
   // weights are large, and only their sum is not; so it is the point that has the largest.
   void compute(const std::vector<std::array<double, 3>>& net, double unit) {
     const std::array<double, 3> o = net[origin_];
-    std::array<Storage, 3 * row> sums; // in units of `unit`
+    std::array<Storage, 3 * weights_of_point> sums; // in units of `unit`
     sums.fill(0);
     constexpr std::size_t together = 64; // as many as models have, so that reading goes straight on
     std::array<std::array<Storage, 3>, together> triples;
@@ -87,8 +85,8 @@ public:
         for (std::size_t c = 0; c < 3; ++c)
           triples[i][c] = static_cast<Storage>((net[points_[first + i]][c] - o[c]) / unit);
       for (std::size_t strip = 0; strip < strips; ++strip)
-        add_weighted_triples<length>(weights(strip, first), triples.data(), count,
-                                     &sums[first_result_of(strip)], samples);
+        add_weighted_triples<row_length>(weights(strip, first), triples.data(), count,
+                                         &sums[first_result_of(strip)], samples);
     }
     for (std::size_t part = 0; part < parts; ++part)
       for (std::size_t c = 0; c < 3; ++c)
@@ -100,7 +98,7 @@ public:
   void move(const std::vector<std::size_t>& indices,
             const std::vector<std::array<double, 3>>& motion) {
     for (const std::size_t c : indices) {
-      const std::size_t i = row_of(c);
+      const std::size_t i = index_of(c);
       if (i < points_.size())
         add(i, motion[c]);
     }
@@ -110,12 +108,12 @@ public:
   void prefetch_move(const std::vector<std::size_t>& indices) const {
     bool moves = false;
     for (const std::size_t c : indices) {
-      const std::size_t i = row_of(c);
+      const std::size_t i = index_of(c);
       if (i == points_.size())
         continue;
       moves = true;
       for (std::size_t strip = 0; strip < strips; ++strip)
-        prefetch(weights(strip, i), length);
+        prefetch(weights(strip, i), row_length);
     }
     if (moves)
       prefetch(results_.data(), results_.size());
@@ -150,35 +148,37 @@ public:
 private:
   double* result(std::size_t part, std::size_t c) { return &results_[(part * 3 + c) * samples]; }
 
-  static constexpr std::size_t strips = row / length;
+  static constexpr std::size_t strips = weights_of_point / row_length;
+  static_assert(samples % row_length == 0 && row_length % lanes == 0);
   // Where a strip begins in what has the values at all samples first, and then the derivatives.
   static constexpr std::size_t first_of(std::size_t strip) {
-    return strip % parts * samples + strip / parts * length;
+    return strip % parts * samples + strip / parts * row_length;
   }
   static constexpr std::size_t first_result_of(std::size_t strip) {
-    return strip % parts * 3 * samples + strip / parts * length;
+    return strip % parts * 3 * samples + strip / parts * row_length;
   }
 
-  // The row of the i-th control point that has influence.
+  // The row of a strip for the i-th control point that has influence.
   const Storage* weights(std::size_t strip, std::size_t i) const {
-    return &weights_[(strip * points_.size() + i) * length];
+    return &weights_[(strip * points_.size() + i) * row_length];
   }
 
-  // The row of a control point; their number if it has no influence.
-  std::size_t row_of(std::size_t c) const {
+  // Which one of those with influence a control point is; their number if it has none.
+  std::size_t index_of(std::size_t c) const {
     const auto found = std::lower_bound(points_.begin(), points_.end(), c);
     return found != points_.end() && *found == c ? static_cast<std::size_t>(found - points_.begin())
                                                  : points_.size();
   }
 
   // Into the cache of the second level: what several control points need may be too much for the
-  // first.
+  // first. pre: count > 0
   template <typename Number>
   static void prefetch([[maybe_unused]] const Number* numbers, [[maybe_unused]] std::size_t count) {
 #ifdef __GNUC__
     constexpr std::size_t line = 64 / sizeof(Number);
     for (std::size_t k = 0; k < count; k += line)
       __builtin_prefetch(numbers + k, 0, 2);
+    __builtin_prefetch(numbers + count - 1, 0, 2); // they need not begin where a line does
 #endif
   }
 
@@ -200,7 +200,7 @@ private:
     for (std::size_t strip = 0; strip < strips; ++strip) {
       const Storage* const w = weights(strip, i);
       double* const x = &results_[first_result_of(strip)];
-      for (std::size_t k = 0; k < length; k += lanes) {
+      for (std::size_t k = 0; k < row_length; k += lanes) {
         const Number_pack weight = Number_pack::load(w + k);
         (weight * mx).add_to(x + k);
         (weight * my).add_to(x + samples + k);
@@ -229,7 +229,7 @@ private:
   }
 
   std::vector<std::uint32_t> points_; // the indices of those with influence, ascending
-  std::vector<Storage> weights_;      // `row` for each of them
+  std::vector<Storage> weights_;      // strip by strip
   std::size_t origin_ = 0;
   // x, y and z for all samples of points and derivatives
   alignas(16) std::array<double, parts * 3 * samples> results_;

@@ -63,7 +63,8 @@ CGAL_MULTISIDED_PATCHES_ALWAYS_INLINE void add_to(Number* numbers, const Vector&
 }
 
 // What add_weighted_triples() does, so many bytes at a time. As many vectors of each row are taken
-// together as there are indices I: their sums stay in registers, and reading goes straight on.
+// together as there are indices I: their sums stay in registers. If they are a whole row, reading
+// goes straight on; narrower ones take several passes.
 template <std::size_t Bytes, std::size_t Length, typename Number, std::size_t... I>
 CGAL_MULTISIDED_PATCHES_ALWAYS_INLINE void
 add_weighted_triples_in(const Number* weights, const std::array<Number, 3>* triples,
@@ -85,7 +86,7 @@ add_weighted_triples_in(const Number* weights, const std::array<Number, 3>* trip
   }
 }
 
-// Twelve sums, a triple and a vector of weights are all that the sixteen registers hold.
+// Twelve sums, a triple and a vector of weights are what sixteen registers hold.
 using Vectors_of_row = std::make_index_sequence<4>;
 
 #ifdef CGAL_MULTISIDED_PATCHES_ASK_FOR_AVX2
