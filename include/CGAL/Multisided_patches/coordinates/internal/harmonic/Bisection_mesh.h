@@ -21,6 +21,14 @@ namespace Multisided_patches {
 namespace internal {
 namespace harmonic {
 
+using Triangle_points = std::array<Complex, 3>;
+
+// A triangle of the mesh, and the sides of the polygon that its corners lie on.
+struct Leaf {
+  Triangle_points corners;          // counterclockwise
+  std::array<std::size_t, 3> sides; // at a vertex the one that begins there, inside none
+};
+
 // A conforming triangulation that is refined by longest-edge bisection, and remembers how: every
 // triangle that was cut knows its two halves, so that a point is located by descending.
 //
@@ -41,8 +49,11 @@ public:
     bool is_leaf() const { return child[0] == none; }
   };
 
-  Bisection_mesh(std::vector<Complex> points, std::vector<Triangle> triangles)
-      : points_(std::move(points)), triangles_(std::move(triangles)),
+  // All points are on the boundary: `sides` says on which side of the polygon each lies, or which
+  // begins there.
+  Bisection_mesh(std::vector<Complex> points, std::vector<std::size_t> sides,
+                 std::vector<Triangle> triangles)
+      : points_(std::move(points)), sides_(std::move(sides)), triangles_(std::move(triangles)),
         number_of_roots_(triangles_.size()) {}
 
   std::size_t number_of_roots() const { return number_of_roots_; }
@@ -51,9 +62,13 @@ public:
   const Triangle& triangle(std::size_t t) const { return triangles_[t]; }
   const Complex& point(std::size_t v) const { return points_[v]; }
 
-  std::array<Complex, 3> corners(std::size_t t) const {
+  Triangle_points corners(std::size_t t) const {
     const std::array<std::size_t, 3>& v = triangles_[t].vertex;
     return {points_[v[0]], points_[v[1]], points_[v[2]]};
+  }
+  Leaf leaf(std::size_t t) const {
+    const std::array<std::size_t, 3>& v = triangles_[t].vertex;
+    return {corners(t), {sides_[v[0]], sides_[v[1]], sides_[v[2]]}};
   }
 
   // cuts a leaf, and whatever must be cut before it
@@ -100,6 +115,8 @@ private:
     const std::size_t n = old.neighbor[edge], midpoint = points_.size();
     points_.push_back((points_[old.vertex[(edge + 1) % 3]] + points_[old.vertex[(edge + 2) % 3]]) /
                       2.);
+    // The domain is on the left of its sides, so the edge begins on the one that it lies on.
+    sides_.push_back(n == none ? sides_[old.vertex[(edge + 1) % 3]] : none);
     const int other_edge = n == none ? 0 : index_of_neighbor(n, t);
     cut_triangle(t, edge, midpoint);
     if (n == none)
@@ -140,6 +157,7 @@ private:
   }
 
   std::vector<Complex> points_;
+  std::vector<std::size_t> sides_; // of every point
   std::vector<Triangle> triangles_;
   std::size_t number_of_roots_;
 };

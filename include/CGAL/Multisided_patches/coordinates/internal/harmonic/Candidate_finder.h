@@ -6,6 +6,7 @@
 #ifndef CGAL_MULTISIDED_PATCHES_COORDINATES_INTERNAL_HARMONIC_CANDIDATE_FINDER_H
 #define CGAL_MULTISIDED_PATCHES_COORDINATES_INTERNAL_HARMONIC_CANDIDATE_FINDER_H
 
+#include <CGAL/Multisided_patches/coordinates/internal/harmonic/Bisection_mesh.h>
 #include <CGAL/Multisided_patches/coordinates/internal/harmonic/Boundary.h>
 #include <CGAL/Multisided_patches/coordinates/internal/harmonic/Channel.h>
 #include <CGAL/Multisided_patches/coordinates/internal/harmonic/convergence_radii.h>
@@ -17,10 +18,15 @@ namespace Multisided_patches {
 namespace internal {
 namespace harmonic {
 
-using Triangle_points = std::array<Complex, 3>;
-
 inline double farthest(const Triangle_points& t, const Complex& z) {
   return std::sqrt((std::max)({std::norm(t[0] - z), std::norm(t[1] - z), std::norm(t[2] - z)}));
+}
+
+inline double farthest(const std::vector<Triangle_points>& triangles, const Complex& z) {
+  double result = 0;
+  for (const Triangle_points& t : triangles)
+    result = (std::max)(result, farthest(t, z));
+  return result;
 }
 
 // A cell that could be: its kind and place, and how far it may reach. For a channel the reach is in
@@ -37,6 +43,11 @@ struct Candidate {
 
 // Finds for a triangle a cell whose local solutions converge fast enough on it: by the factor tau
 // with an affordable number of terms.
+//
+// The disc of a cell may reach across sides, but the cell does not: its triangles must not touch
+// any sides but its own, where its functions have no boundary values, and must lie on this side of
+// them. As no vertex lies in the disc, they do if they are visible from its centre, or connected
+// within the disc with one that is.
 class Candidate_finder {
 public:
   Candidate_finder(const Boundary& boundary, double tau)
@@ -54,42 +65,64 @@ public:
   const Channel& channel(std::size_t i) const { return channels_[i]; }
 
   // the best cell for a triangle, if there is any; the more capable kinds first
-  std::optional<Candidate> find(const Triangle_points& t) {
-    std::optional<Candidate> best = find_corner(t);
+  std::optional<Candidate> find(const Leaf& leaf) {
+    std::optional<Candidate> best = find_corner(leaf);
     if (best)
       return best;
-    const std::array<std::size_t, 6> sides = nearest_sides(t);
-    if ((best = find_channel(t, sides)))
+    const std::array<std::size_t, 6> sides = nearest_sides(leaf.corners);
+    if ((best = find_channel(leaf.corners, sides)))
       return best;
-    if ((best = find_interior(t)))
+    if ((best = find_interior(leaf)))
       return best;
-    return find_side(t, sides);
+    return find_side(leaf, sides);
   }
 
-  // whether a cell may contain a triangle
-  bool admits(const Candidate& c, const Triangle_points& t) const {
+  // whether a cell may contain a triangle that is visible from its centre or next to one that it
+  // may contain
+  bool admits(const Candidate& c, const Leaf& leaf) const {
+    const Triangle_points& t = leaf.corners;
     switch (c.kind) {
     case Candidate::Kind::corner:
-      return farthest(t, c.centre) <= c.reach && in_wedge(c.index, t);
+      return farthest(t, c.centre) <= c.reach &&
+             touches_only(leaf, c.index, boundary_.prev(c.index)) && in_wedge(c.index, t);
     case Candidate::Kind::channel:
       return in_channel(channels_[c.index], t);
     case Candidate::Kind::side:
-      return farthest(t, c.centre) <= c.reach && contains(boundary_.half_plane(c.index), t);
+      return farthest(t, c.centre) <= c.reach && touches_only(leaf, c.index, c.index) &&
+             contains(boundary_.half_plane(c.index), t);
     default:
-      return farthest(t, c.centre) <= c.reach;
+      return farthest(t, c.centre) <= c.reach && touches_only(leaf, no_side, no_side);
     }
   }
 
 private:
   // A power series may reach this far, relative to its radius of convergence.
-  static constexpr double max_ratio = 0.55;
+  static constexpr double max_ratio = 0.6;
   // The series at a sharp corner converges almost to the end; this only keeps off rounding.
   static constexpr double max_corner_ratio = 1 - 1e-9;
   // The most terms at a corner; they decide how far its cell reaches.
-  static constexpr int max_corner_size = 60;
+  static constexpr int max_corner_size = 50;
+
+  static constexpr std::size_t no_side = Bisection_mesh::none;
 
   static bool contains(const Half_plane& h, const Triangle_points& t) {
     return h.contains(t[0]) && h.contains(t[1]) && h.contains(t[2]);
+  }
+
+  static bool touches_only(const Leaf& leaf, std::size_t e1, std::size_t e2) {
+    return std::all_of(leaf.sides.begin(), leaf.sides.end(),
+                       [&](std::size_t s) { return s == no_side || s == e1 || s == e2; });
+  }
+
+  // whether no side crosses the segment from a centre, which may lie on sides e1 and e2, to a
+  // triangle
+  bool is_visible(const Triangle_points& t, const Complex& centre, std::size_t e1,
+                  std::size_t e2) const {
+    const Segment ray{centre, (t[0] + t[1] + t[2]) / 3.};
+    for (std::size_t e = 0; e < boundary_.size(); ++e)
+      if (e != e1 && e != e2 && cross_each_other(ray, boundary_.side(e)))
+        return false;
+    return true;
   }
 
   bool in_wedge(std::size_t k, const Triangle_points& t) const {
@@ -113,12 +146,13 @@ private:
   }
 
   // the corner in whose disc the triangle is deepest
-  std::optional<Candidate> find_corner(const Triangle_points& t) const {
+  std::optional<Candidate> find_corner(const Leaf& leaf) const {
     std::optional<Candidate> best;
     double best_ratio = 1;
     for (const Candidate& c : corners_) {
-      const double ratio = farthest(t, c.centre) / c.reach;
-      if (ratio <= best_ratio && in_wedge(c.index, t)) {
+      const double ratio = farthest(leaf.corners, c.centre) / c.reach;
+      if (ratio <= best_ratio && admits(c, leaf) &&
+          is_visible(leaf.corners, c.centre, c.index, boundary_.prev(c.index))) {
         best = c;
         best_ratio = ratio;
       }
@@ -138,8 +172,11 @@ private:
     return std::nullopt;
   }
 
-  std::optional<Candidate> find_interior(const Triangle_points& t) const {
+  std::optional<Candidate> find_interior(const Leaf& leaf) const {
     std::optional<Candidate> best;
+    if (!touches_only(leaf, no_side, no_side))
+      return best;
+    const Triangle_points& t = leaf.corners;
     double best_ratio = max_ratio;
     for (const Complex& z :
          {(t[0] + t[1] + t[2]) / 3., (t[0] + t[1]) / 2., (t[1] + t[2]) / 2., (t[2] + t[0]) / 2.}) {
@@ -152,8 +189,9 @@ private:
     return best;
   }
 
-  std::optional<Candidate> find_side(const Triangle_points& t,
+  std::optional<Candidate> find_side(const Leaf& leaf,
                                      const std::array<std::size_t, 6>& sides) const {
+    const Triangle_points& t = leaf.corners;
     for (int i = 0; i < 3; ++i) {
       const std::size_t e = sides[i];
       const Complex d = boundary_.direction(e), &source = boundary_.vertex(e);
@@ -164,7 +202,7 @@ private:
       const Complex centre = source + middle * d;
       const double radius = side_radius(boundary_, e, centre);
       const Candidate c{Candidate::Kind::side, e, centre, radius, max_ratio * radius};
-      if (admits(c, t))
+      if (admits(c, leaf) && is_visible(t, centre, e, e))
         return c;
     }
     return std::nullopt;

@@ -83,11 +83,10 @@ public:
   // points of every edge, so what is left oscillates, and is largest between these.
   enum class Points { gauss_legendre, between };
 
-  static constexpr double usual_oversampling = 0.7;
+  static constexpr double usual_oversampling = 1;
 
-  // `oversampling` is the number of points for a radian of the oscillations of the bases. It is
-  // raised where there would be fewer equations than unknowns, which has not been seen to happen
-  // with the usual number; 0.6 to 1.2 make no difference.
+  // The number of points is multiplied by `oversampling`. It is raised where there would be fewer
+  // equations than unknowns, which has not been seen to happen with the usual number.
   Interface_assembler(const std::vector<Cell>& cells, const std::vector<Interface>& faces,
                       double oversampling = usual_oversampling)
       : cells_(cells), oversampling_(oversampling) {
@@ -155,14 +154,16 @@ private:
     return (std::max)(resolution(cells_[face.cell[0]], z), resolution(cells_[face.cell[1]], z));
   }
 
-  // Enough for the oscillations, but not many times the number of unknowns: in a sharp corner, the
-  // high powers live near the outer end of an edge only, where the Gauss points accumulate.
+  // Enough for the oscillations, as a Gauss rule needs them: half a point a radian would do for the
+  // values alone, and the cube root is for the ends. But not many times the number of unknowns: in
+  // a sharp corner, the high powers live near the outer end of an edge only, where the Gauss points
+  // accumulate.
   std::size_t number_of_points(const Segment& s, const Interface& face) const {
     const int unknowns = size(cells_[face.cell[0]]) + size(cells_[face.cell[1]]);
     const double finest = (std::max)(finest_resolution(face, s.a), finest_resolution(face, s.b)),
-                 oscillations = std::abs(s.b - s.a) * finest;
-    return static_cast<std::size_t>(
-        (std::max)(3., std::ceil(oversampling_ * (std::min)(oscillations, 2. * unknowns))));
+                 oscillations = (std::min)(std::abs(s.b - s.a) * finest, 2. * unknowns);
+    return static_cast<std::size_t>((std::max)(
+        3., std::ceil(oversampling_ * (0.4 * oscillations + 2 * std::cbrt(oscillations)))));
   }
   std::size_t number_of_points(const Interface& face, Points points) const {
     std::size_t sum = 0;

@@ -69,14 +69,12 @@ private:
 
   // whether the segment between a vertex and its foot crosses no other side
   bool is_visible(const Foot& foot, std::size_t e) const {
-    const Complex a = boundary_.vertex(foot.vertex),
-                  b = boundary_.vertex(e) + foot.abscissa * boundary_.direction(e);
+    const Segment ray{boundary_.vertex(foot.vertex),
+                      boundary_.vertex(e) + foot.abscissa * boundary_.direction(e)};
     for (std::size_t k = 0; k < boundary_.size(); ++k) {
-      const Segment s = boundary_.side(k);
       if (k == e || k == foot.vertex || boundary_.next(k) == foot.vertex)
         continue;
-      if ((turn(a, b, s.a) > 0) != (turn(a, b, s.b) > 0) &&
-          (turn(s.a, s.b, a) > 0) != (turn(s.a, s.b, b) > 0))
+      if (cross_each_other(ray, boundary_.side(k)))
         return false;
     }
     return true;

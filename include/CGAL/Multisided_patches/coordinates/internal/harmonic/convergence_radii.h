@@ -15,8 +15,13 @@ namespace Multisided_patches {
 namespace internal {
 namespace harmonic {
 
-// How far the series of a cell converges: to the nearest piece of the boundary that the cell can
-// see. What lies behind the cell's own sides is out of sight, however near it is; a thin slot on
+// How far the series of a cell converges: to the nearest singular point of a function with linear
+// values on every side.
+//
+// Such a function goes on across a side by reflection (Schwarz), so only vertices are singular,
+// seen from the centre directly or in the mirrors that the sides are. A path that is reflected is
+// no shorter than the straight one to where it ends: no mirror image is nearer than the nearest
+// vertex. What lies behind the cell's own sides is out of sight, however near it is; a thin slot on
 // the other side of a wall costs nothing.
 
 inline double squared_distance_in(const Half_plane& h, const Complex& z, const Segment& s) {
@@ -24,25 +29,29 @@ inline double squared_distance_in(const Half_plane& h, const Complex& z, const S
   return seen ? squared_distance(z, *seen) : std::numeric_limits<double>::infinity();
 }
 
-// around a vertex
+// around a vertex. It is singular itself, and sees itself in sides across from it.
 inline double corner_radius(const Boundary& boundary, std::size_t k) {
   const std::size_t p = boundary.prev(k);
   const Complex& v = boundary.vertex(k);
   const Half_plane h = boundary.half_plane(k), g = boundary.half_plane(p);
   const bool convex = boundary.angle(k) < 1;
-  double r = (std::min)(boundary.length(k), boundary.length(p));
-  r *= r;
+  const double own = (std::min)(boundary.length(k), boundary.length(p));
+  double to_vertex = own * own, to_side = std::numeric_limits<double>::infinity();
   for (std::size_t e = 0; e < boundary.size(); ++e) {
+    const Complex& w = boundary.vertex(e);
+    // the wedge is the intersection of the two half-planes, or else their union
+    if (e != k && (convex ? h.contains(w) && g.contains(w) : h.contains(w) || g.contains(w)))
+      to_vertex = (std::min)(to_vertex, std::norm(w - v));
     if (e == k || e == p)
       continue;
     const Segment s = boundary.side(e);
-    if (!convex) { // the wedge is the union of the two half-planes, otherwise their intersection
-      r = (std::min)({r, squared_distance_in(h, v, s), squared_distance_in(g, v, s)});
+    if (!convex) {
+      to_side = (std::min)({to_side, squared_distance_in(h, v, s), squared_distance_in(g, v, s)});
     } else if (const std::optional<Segment> seen = clip(s, h)) {
-      r = (std::min)(r, squared_distance_in(g, v, *seen));
+      to_side = (std::min)(to_side, squared_distance_in(g, v, *seen));
     }
   }
-  return std::sqrt(r);
+  return std::sqrt((std::min)(to_vertex, 4 * to_side));
 }
 
 // around a point on side e
@@ -50,17 +59,17 @@ inline double side_radius(const Boundary& boundary, std::size_t e, const Complex
   const Half_plane h = boundary.half_plane(e);
   const Segment own = boundary.side(e);
   double r = (std::min)(std::norm(centre - own.a), std::norm(centre - own.b));
-  for (std::size_t f = 0; f < boundary.size(); ++f)
-    if (f != e)
-      r = (std::min)(r, squared_distance_in(h, centre, boundary.side(f)));
+  for (const Complex& v : boundary.vertices())
+    if (h.contains(v))
+      r = (std::min)(r, std::norm(centre - v));
   return std::sqrt(r);
 }
 
 // around a point inside
 inline double interior_radius(const Boundary& boundary, const Complex& centre) {
   double r = std::numeric_limits<double>::infinity();
-  for (std::size_t f = 0; f < boundary.size(); ++f)
-    r = (std::min)(r, squared_distance(centre, boundary.side(f)));
+  for (const Complex& v : boundary.vertices())
+    r = (std::min)(r, std::norm(centre - v));
   return std::sqrt(r);
 }
 

@@ -9,6 +9,7 @@
 #include <CGAL/Multisided_patches/coordinates/internal/harmonic/Bisection_mesh.h>
 #include <CGAL/Multisided_patches/coordinates/internal/harmonic/Candidate_finder.h>
 #include <CGAL/Multisided_patches/coordinates/internal/harmonic/Cell.h>
+#include <CGAL/Multisided_patches/coordinates/internal/harmonic/Disc_centring.h>
 
 #include <algorithm>
 #include <queue>
@@ -50,7 +51,7 @@ private:
       if (!mesh_.triangle(t).is_leaf())
         continue;
       candidates_.resize(mesh_.size());
-      candidates_[t] = finder_.find(mesh_.corners(t));
+      candidates_[t] = finder_.find(mesh_.leaf(t));
       if (candidates_[t])
         continue;
       const std::size_t first_new = mesh_.size();
@@ -111,7 +112,7 @@ private:
       for (const std::size_t n : mesh_.triangle(u).neighbor)
         if (n != Bisection_mesh::none && visited_[n] != stamp_) {
           visited_[n] = stamp_;
-          if (finder_.admits(*candidates_[t], mesh_.corners(n)))
+          if (finder_.admits(*candidates_[t], mesh_.leaf(n)))
             walk.push_back(n);
         }
     }
@@ -135,12 +136,14 @@ private:
   }
 
   // The error of the series after p terms is about (radius of the cell / of convergence)^p.
-  Cell disc_cell(const Candidate& c, const std::vector<std::size_t>& triangles) const {
-    double radius = 0;
+  Cell disc_cell(Candidate c, const std::vector<std::size_t>& triangles) const {
+    std::vector<Triangle_points> points;
     for (const std::size_t t : triangles)
-      radius = (std::max)(radius, farthest(mesh_.corners(t), c.centre));
-    // On a side the true radius is rarely larger than ours, as its ends are singular points.
-    const double safety = c.kind == Candidate::Kind::side ? 1.2 : 1;
+      points.push_back(mesh_.corners(t));
+    if (c.kind != Candidate::Kind::corner)
+      Disc_centring(boundary_, points).improve(c);
+    const double radius = farthest(points, c.centre);
+    const double safety = c.kind == Candidate::Kind::side ? 1.2 : 1; // in experience
     // In a sharp corner there are few, as the angle comes in below.
     const double terms = (std::min)(1e8, safety * finder_.decay() / std::log(c.radius / radius));
     const int degree = (std::max)(4, static_cast<int>(std::ceil(terms)));
@@ -167,7 +170,7 @@ private:
         range.high = (std::max)(range.high, edge.high);
       }
     const double margin = (std::min)(range.low - channel.free.low, channel.free.high - range.high);
-    const int degree = (std::max)(4, static_cast<int>(std::ceil(1.8 * finder_.decay() / margin)));
+    const int degree = (std::max)(4, static_cast<int>(std::ceil(1.3 * finder_.decay() / margin)));
     return Channel_cell(boundary_, channel.e1, channel.e2, channel.map, channel.origin, range,
                         degree);
   }

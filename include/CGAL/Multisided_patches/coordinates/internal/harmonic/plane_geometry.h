@@ -49,6 +49,12 @@ struct Segment {
   Complex a, b;
 };
 
+// whether two segments cross each other in points inside both
+inline bool cross_each_other(const Segment& s, const Segment& t) {
+  return (turn(s.a, s.b, t.a) > 0) != (turn(s.a, s.b, t.b) > 0) &&
+         (turn(t.a, t.b, s.a) > 0) != (turn(t.a, t.b, s.b) > 0);
+}
+
 inline double squared_distance(const Complex& z, const Segment& s) {
   const Complex d = s.b - s.a;
   const double t = dot(z - s.a, d) / std::norm(d);

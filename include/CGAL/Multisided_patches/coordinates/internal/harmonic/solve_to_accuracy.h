@@ -37,17 +37,17 @@ inline double initial_tau(double target_error, const Boundary& boundary) {
   for (std::size_t k = 0; k < boundary.size(); ++k)
     shortest = (std::min)(shortest, boundary.length(k));
   const double target = target_error * safety_factor(1, 1) / safety_factor(1, shortest);
-  const double tau = (std::min)(16 * std::pow(target, 0.83), 3.0 * std::pow(target, 0.73));
+  const double tau = (std::min)(7 * std::pow(target, 0.83), 1.3 * std::pow(target, 0.73));
   return tau * std::pow(40. / static_cast<double>(boundary.size()), 0.6);
 }
 
-// by how much to lessen tau after an error above the target; the error is about tau^1.7
+// by how much to lessen tau after an error above the target; the error is about tau^1.3
 inline double tau_reduction(double target_error, double error) {
   // Such an error is hardly ever one of tau, which is cheaper to find out with a small step.
   constexpr double improbable = 1000;
   if (error > improbable * target_error)
     return 0.1;
-  return (std::min)(0.25, 0.6 * std::pow(target_error / error, 1 / 1.7));
+  return (std::min)(0.25, 0.6 * std::pow(target_error / error, 1 / 1.3));
 }
 
 // solves Laplace's equation with ever smaller tau until the error is below the target, or nothing

@@ -36,9 +36,10 @@ inline Bisection_mesh triangulate_boundary(std::vector<Complex> exact, const Bou
   const Side_subdivision subdivision(boundary, 1e-10 * largest);
 
   std::vector<Complex> points = boundary.vertices();
-  std::vector<std::size_t> next(boundary.size());
+  std::vector<std::size_t> next(boundary.size()), sides(boundary.size());
   for (std::size_t k = 0; k < boundary.size(); ++k) {
     std::size_t last = k;
+    sides[k] = k;
     const auto go_to = [&](std::size_t i) { last = next[last] = i; };
     const std::size_t end = boundary.next(k);
     for (const double t : subdivision.parameters(k)) {
@@ -46,6 +47,7 @@ inline Bisection_mesh triangulate_boundary(std::vector<Complex> exact, const Bou
       points.push_back(points[k] + t * (points[end] - points[k]));
       exact.push_back(exact[k] + t * (exact[end] - exact[k]));
       next.emplace_back();
+      sides.push_back(k);
     }
     go_to(end);
   }
@@ -63,7 +65,7 @@ inline Bisection_mesh triangulate_boundary(std::vector<Complex> exact, const Bou
           t.neighbors[i] == Triangulation::none ? Bisection_mesh::none : t.neighbors[i];
     }
   }
-  return Bisection_mesh(std::move(points), std::move(triangles));
+  return Bisection_mesh(std::move(points), std::move(sides), std::move(triangles));
 }
 
 } // namespace harmonic
