@@ -164,14 +164,9 @@ TEST_CASE("Where equations would be too few there are more, and the error bound 
           "[harmonic]") {
   namespace harmonic = MP::internal::harmonic;
   for (const Points& polygon : {l_shape(), unit_u_shape(), star()}) {
-    std::vector<harmonic::Complex> vertices;
-    std::vector<std::size_t> next;
-    for (std::size_t k = 0; k < polygon.size(); ++k) {
-      vertices.emplace_back(polygon[k].x(), polygon[k].y());
-      next.push_back((k + 1) % polygon.size());
-    }
-    const harmonic::Boundary boundary(vertices, next);
-    const harmonic::Bisection_mesh mesh = harmonic::triangulate_boundary(vertices, boundary);
+    const harmonic::Boundary boundary = boundary_of(Domain(polygon));
+    const harmonic::Bisection_mesh mesh =
+        harmonic::triangulate_boundary(boundary.vertices(), boundary);
     const double tau = 1e-5, few = 0.01;
 
     harmonic::Bisection_mesh refined = mesh;

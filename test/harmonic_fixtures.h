@@ -30,6 +30,17 @@ inline const std::vector<Harmonic_coordinates_2>& on_all_domains(double target_e
   return result;
 }
 
+// the sides of a domain of about unit size, as the solver sees them
+inline MP::internal::harmonic::Boundary boundary_of(const Domain& domain) {
+  std::vector<MP::internal::harmonic::Complex> vertices;
+  std::vector<std::size_t> next;
+  for (std::size_t k = 0; k < domain.size(); ++k) {
+    vertices.emplace_back(domain.vertex(k).x(), domain.vertex(k).y());
+    next.push_back(domain.next(k));
+  }
+  return MP::internal::harmonic::Boundary(std::move(vertices), std::move(next));
+}
+
 template <int Order>
 std::vector<Jet<Order>> evaluate(const Harmonic_coordinates_2& h, const Point_2& p,
                                  const Location& location = Location::interior()) {

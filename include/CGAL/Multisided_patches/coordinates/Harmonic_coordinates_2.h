@@ -48,15 +48,16 @@ namespace Multisided_patches {
  * Derivatives: inside and on the sides they are finite, and on the sides the limits from inside. At
  * a convex vertex, the gradient is its limit, that of the affine function which interpolates the
  * adjacent sides. At straight and reflex vertices gradients are infinite in general, and so may
- * Hessians be at all vertices; what is returned then is the finite value at a nearby point, on the
- * bisector of the corner, 10^-6 times the distance to the nearest other vertex or visible side
- * away.
+ * Hessians be at all vertices; what is returned then is the finite value at a nearby point on the
+ * bisector of the corner. It is 10^-6 times as far away as the nearest other vertex or, where this
+ * is nearer, the mirror image of the corner in a side across from it.
  *
- * Setting up for errors of 1e-8 takes 4 to 13 ms for n = 8 vertices, 14 to 50 ms for 20 and 60 to
- * 320 ms for 64 on one core, a third less with AVX2, and grows with n^1.3 (combs, spirals) to
- * n^1.8 (regular polygons). Evaluating all coordinates with gradients at a point takes less than a
- * microsecond for n = 8, and allocates hardly any memory up to n = 32; `evaluate_batch()` does it
- * for many points in parallel. All queries may be made from several threads.
+ * Setting up for errors of 1e-8 takes 1.3 to 9 ms for n = 8 vertices, 12 to 32 ms for 20 and 65 to
+ * 240 ms for 64 on one core, a third less with AVX2, and grows with n^1.3 (combs, spirals), n^1.4
+ * (random polygons), n^1.9 (regular ones) or n^2 (stars). Evaluating all coordinates with gradients
+ * at a point takes less than a microsecond for n = 8, and allocates hardly any memory up to n = 32;
+ * `evaluate_batch()` does it for many points in parallel. All queries may be made from several
+ * threads.
  *
  * \cgalModels{BarycentricCoordinates_2}
  *

@@ -38,7 +38,7 @@ inline double initial_tau(double target_error, const Boundary& boundary) {
     shortest = (std::min)(shortest, boundary.length(k));
   const double target = target_error * safety_factor(1, 1) / safety_factor(1, shortest);
   const double tau = (std::min)(7 * std::pow(target, 0.83), 1.3 * std::pow(target, 0.73));
-  return tau * std::pow(40. / static_cast<double>(boundary.size()), 0.6);
+  return tau * std::sqrt(40. / static_cast<double>(boundary.size()));
 }
 
 // by how much to lessen tau after an error above the target; the error is about tau^1.3

@@ -1,0 +1,147 @@
+// Copyright (c) 2026 The CGAL Multisided Patches project.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "catch.h"
+#include "harmonic_fixtures.h"
+
+using namespace fixtures;
+namespace harmonic = MP::internal::harmonic;
+
+namespace {
+
+// the size of the terms of degree 0, 1, ... in the power series around c of the function of every
+// vertex, on a circle: the largest of all vertices
+std::vector<double> series_on_circle(const Harmonic_coordinates_2& h, const Point_2& c,
+                                     double radius, std::size_t terms) {
+  const std::size_t samples = 4 * terms;
+  std::vector<std::vector<harmonic::Complex>> sums(
+      h.domain().size(), std::vector<harmonic::Complex>(terms, harmonic::Complex(0)));
+  for (std::size_t j = 0; j < samples; ++j) {
+    const double angle = 2 * MP::internal::pi * static_cast<double>(j) / double(samples);
+    const auto lambda =
+        evaluate<0>(h, {c.x() + radius * std::cos(angle), c.y() + radius * std::sin(angle)});
+    for (std::size_t i = 0; i < lambda.size(); ++i)
+      for (std::size_t k = 0; k < terms; ++k)
+        sums[i][k] += lambda[i][0] * std::polar(2. / double(samples), -angle * double(k));
+  }
+  std::vector<double> result(terms, 0);
+  for (const std::vector<harmonic::Complex>& sum : sums)
+    for (std::size_t k = 0; k < terms; ++k)
+      result[k] = (std::max)(result[k], std::abs(sum[k]));
+  return result;
+}
+
+} // namespace
+
+// From a circle that the domain contains, so that only the decay of the terms tells how far the
+// series converges.
+TEST_CASE("Series around points inside converge beyond the sides, up to the nearest vertex",
+          "[harmonic]") {
+  constexpr std::size_t terms = 24;
+  std::size_t beyond = 0;
+  for (const Harmonic_coordinates_2& h : on_all_domains(1e-11)) {
+    const harmonic::Boundary boundary = boundary_of(h.domain());
+    for (const Point_2& c : random_points_inside(h.domain(), 12, 5)) {
+      const double distance = distance_to_boundary(h.domain(), c), circle = 0.9 * distance,
+                   radius = harmonic::interior_radius(boundary, {c.x(), c.y()});
+      beyond += radius > 1.5 * distance;
+      const std::vector<double> sizes = series_on_circle(h, c, circle, terms);
+      INFO("around " << c << ", " << distance << " from the boundary and " << radius
+                     << " from the nearest vertex of " << h.domain().size());
+      for (std::size_t k = 0; k < terms; ++k) {
+        // A function of size 1 grows with every reflection, at most linearly.
+        const double bound = 4 * radius / distance * std::pow(circle / radius, double(k));
+        CHECK(sizes[k] <= bound + 1e-10);
+      }
+    }
+  }
+  CHECK(beyond > 50);
+}
+
+TEST_CASE("Discs at corners end at other vertices, or where the corner sees itself mirrored",
+          "[harmonic]") {
+  const auto radius = [](const Points& polygon, std::size_t k) {
+    return harmonic::corner_radius(boundary_of(Domain(polygon)), k);
+  };
+  CHECK(radius({{0, 0}, {3, 0}, {3, 2}, {0, 2}}, 0) == Approx(2));
+  // a corner that is 1 away from the middle of a side, 5 from its ends
+  CHECK(radius({{0, 0}, {3, -4}, {3, 1}, {-3, 1}, {-3, -4}}, 0) == Approx(2));
+  // another vertex is 0.002 away, but behind a wall of the corner
+  CHECK(radius(slotted(), 3) == Approx(0.8));
+}
+
+TEST_CASE("Discs are moved to where their series converge faster, inside or along their side",
+          "[harmonic]") {
+  using harmonic::Candidate;
+  const harmonic::Boundary boundary = boundary_of(Domain(Points{{0, 0}, {4, 0}, {4, 3}, {0, 3}}));
+  const std::vector<harmonic::Triangle_points> triangles{{{{1, 0}, {2, 0}, {1.5, 1}}},
+                                                         {{{2, 0}, {2.5, 1}, {1.5, 1}}}};
+  const auto ratio = [&](const Candidate& c) {
+    return harmonic::farthest(triangles, c.centre) / c.radius;
+  };
+  const harmonic::Complex beginning(1.1, 0);
+  Candidate on_side{Candidate::Kind::side, 0, beginning,
+                    harmonic::side_radius(boundary, 0, beginning), 0};
+  const double before = ratio(on_side);
+  harmonic::Disc_centring(boundary, triangles).improve(on_side);
+  CHECK(on_side.centre.imag() == 0);
+  CHECK(on_side.radius == harmonic::side_radius(boundary, 0, on_side.centre));
+  CHECK(ratio(on_side) < 0.8 * before);
+
+  const harmonic::Complex low(1.2, 0.1);
+  Candidate inside{Candidate::Kind::interior, 0, low, harmonic::interior_radius(boundary, low), 0};
+  const double before_inside = ratio(inside);
+  harmonic::Disc_centring(boundary, triangles).improve(inside);
+  CHECK(inside.centre.imag() > 0);
+  CHECK(inside.centre.imag() < 1);
+  CHECK(inside.radius == harmonic::interior_radius(boundary, inside.centre));
+  CHECK(ratio(inside) < 0.8 * before_inside);
+}
+
+TEST_CASE("Where a cell touches the boundary, it has the boundary values whatever its coefficients",
+          "[harmonic]") {
+  const unsigned seed = 17;
+  std::vector<Domain> domains = all_domains();
+  Random random(seed);
+  for (std::size_t n = 5; n < 30; n += 4)
+    domains.push_back(random_domain(random, n, n % 3));
+  INFO("seed " << seed);
+  std::size_t touching = 0;
+  for (const Domain& domain : domains) {
+    const harmonic::Boundary boundary = boundary_of(domain);
+    harmonic::Bisection_mesh mesh = harmonic::triangulate_boundary(boundary.vertices(), boundary);
+    const harmonic::Cover cover = harmonic::Cover_builder(boundary, 1e-6, mesh).build();
+    for (std::size_t t = 0; t < mesh.size(); ++t) {
+      if (!mesh.triangle(t).is_leaf())
+        continue;
+      const harmonic::Cell& cell = cover.cells[cover.cell_of[t]];
+      for (const harmonic::Complex& z : mesh.corners(t)) {
+        std::size_t side = 0;
+        while (side < domain.size() &&
+               harmonic::squared_distance(z, boundary.side(side)) > 1e-13 * 1e-13)
+          ++side;
+        if (side == domain.size())
+          continue;
+        ++touching;
+        const double at = harmonic::dot(z - boundary.vertex(side), boundary.direction(side)) /
+                          boundary.length(side);
+        std::vector<harmonic::Analytic<0>> f(static_cast<std::size_t>(harmonic::size(cell)));
+        harmonic::basis<0>(cell, z, f.data());
+        for (const harmonic::Analytic<0>& f_j : f)
+          CHECK(std::abs(f_j[0].real()) < 1e-9);
+        std::array<harmonic::Hat_term<0>, harmonic::max_hat_terms> hats;
+        const std::size_t count = harmonic::hats<0>(cell, z, hats.data());
+        std::vector<double> values(domain.size(), 0);
+        for (std::size_t k = 0; k < count; ++k)
+          values[hats[k].vertex] += hats[k].f[0].real();
+        for (std::size_t i = 0; i < domain.size(); ++i) {
+          const double expected = i == side ? 1 - at : i == domain.next(side) ? at : 0;
+          CHECK(values[i] == Approx(expected).epsilon(0).margin(1e-9));
+        }
+      }
+    }
+  }
+  CHECK(touching > 1000);
+}
