@@ -100,6 +100,32 @@ TEST_CASE("Discs are moved to where their series converge faster, inside or alon
   CHECK(ratio(inside) < 0.8 * before_inside);
 }
 
+// Two centres that mirror each other are equally good up to rounding, which must not make each of
+// them better than the other.
+TEST_CASE("Discs come to rest on mirror-symmetric domains", "[harmonic]") {
+  for (const Points& polygon :
+       {Points{{0, 0}, {406, 0}, {406, 88}, {244, 88}, {244, 203}, {162, 203}, {162, 88}, {0, 88}},
+        Points{
+            {0, 0}, {434, 0}, {434, 101}, {244, 101}, {244, 113}, {190, 113}, {190, 101}, {0, 101}},
+        Points{{0, 0}, {176, 0}, {176, 156}, {99, 156}, {99, 275}, {77, 275}, {77, 156}, {0, 156}}})
+    for (const double target : {1e-4, 1e-6, 1e-8, 1e-9, 1e-10})
+      CHECK(Harmonic_coordinates_2(Domain(polygon), target).error_bound() <= target);
+
+  using harmonic::Candidate;
+  const unsigned seed = 23;
+  Random random(seed);
+  const harmonic::Boundary boundary = boundary_of(Domain(Points{{0, 0}, {4, 0}, {4, 3}, {0, 3}}));
+  for (int k = 0; k < 2000; ++k) {
+    const double x = random.in(0.2, 1.5), y = random.in(0.5, 1.2), tip = random.in(1.3, 2);
+    const std::vector<harmonic::Triangle_points> triangles{{{{2 - x, y}, {2 + x, y}, {2, tip}}}};
+    const harmonic::Complex start(2 + x / 2 * random.in(-1, 1), y + 0.01);
+    Candidate c{Candidate::Kind::interior, 0, start, harmonic::interior_radius(boundary, start), 0};
+    const double before = harmonic::farthest(triangles, c.centre) / c.radius;
+    harmonic::Disc_centring(boundary, triangles).improve(c);
+    CHECK(harmonic::farthest(triangles, c.centre) / c.radius <= before);
+  }
+}
+
 TEST_CASE("Where a cell touches the boundary, it has the boundary values whatever its coefficients",
           "[harmonic]") {
   const unsigned seed = 17;

@@ -49,8 +49,9 @@ namespace Multisided_patches {
  * a convex vertex, the gradient is its limit, that of the affine function which interpolates the
  * adjacent sides. At straight and reflex vertices gradients are infinite in general, and so may
  * Hessians be at all vertices; what is returned then is the finite value at a nearby point on the
- * bisector of the corner. It is 10^-6 times as far away as the nearest other vertex or, where this
- * is nearer, the mirror image of the corner in a side across from it.
+ * bisector of the corner. It is 10^-6 times as far away as the nearest other vertex that is not
+ * behind the sides of the corner or, where this is nearer, the mirror image of the corner in a side
+ * across from it.
  *
  * Setting up for errors of 1e-8 takes 1.3 to 9 ms for n = 8 vertices, 12 to 32 ms for 20 and 65 to
  * 240 ms for 64 on one core, a third less with AVX2, and grows with n^1.3 (combs, spirals), n^1.4

@@ -9,7 +9,6 @@
 #include <CGAL/Multisided_patches/coordinates/internal/harmonic/Candidate_finder.h>
 
 #include <algorithm>
-#include <array>
 #include <vector>
 
 namespace CGAL {
@@ -22,6 +21,7 @@ namespace harmonic {
 //
 // A pattern search: in steps of a fixed length while these gain, then of half that length. Hooke
 // and Jeeves, "'Direct search' solution of numerical and statistical problems", J. ACM 8 (1961).
+// What counts as a gain is far above rounding, so that no steps lead back and forth.
 class Disc_centring {
 public:
   Disc_centring(const Boundary& boundary, const std::vector<Triangle_points>& triangles)
@@ -31,35 +31,42 @@ public:
     constexpr int halvings = 3;
     double step = farthest(triangles_, c.centre) / 4;
     for (int i = 0; i < halvings; step /= 2, ++i)
-      while (make_step(c, step)) {
+      while (c.kind == Candidate::Kind::side ? step_along_side(c, step) : step_inside(c, step)) {
       }
   }
 
 private:
   // whether a step in some direction gains
-  bool make_step(Candidate& c, double step) const {
-    const bool on_side = c.kind == Candidate::Kind::side;
-    const Complex d = on_side ? boundary_.direction(c.index) : 1;
-    const std::array<Complex, 4> directions{d, -d, Complex(0, 1), Complex(0, -1)};
-    const double ratio = farthest(triangles_, c.centre) / c.radius;
-    for (int i = 0; i < (on_side ? 2 : 4); ++i) {
-      const Complex centre = c.centre + step * directions[i];
-      if (!(on_side ? is_on_side(c.index, centre) : is_inside(centre)))
-        continue;
-      const double radius =
-          on_side ? side_radius(boundary_, c.index, centre) : interior_radius(boundary_, centre);
-      if (farthest(triangles_, centre) < ratio * radius) {
-        c.centre = centre;
-        c.radius = radius;
+
+  bool step_along_side(Candidate& c, double step) const {
+    const Complex &source = boundary_.vertex(c.index), &d = boundary_.direction(c.index);
+    for (const double s : {step, -step}) {
+      const double x = dot(c.centre - source, d) + s;
+      if (0 < x && x < boundary_.length(c.index) &&
+          gains(c, source + x * d, side_radius(boundary_, c.index, source + x * d)))
         return true;
-      }
     }
     return false;
   }
 
-  bool is_on_side(std::size_t e, const Complex& z) const {
-    const double x = dot(z - boundary_.vertex(e), boundary_.direction(e));
-    return 0 < x && x < boundary_.length(e);
+  bool step_inside(Candidate& c, double step) const {
+    for (const Complex& d : {Complex(1, 0), Complex(-1, 0), Complex(0, 1), Complex(0, -1)}) {
+      const Complex centre = c.centre + step * d;
+      if (is_inside(centre) && gains(c, centre, interior_radius(boundary_, centre)))
+        return true;
+    }
+    return false;
+  }
+
+  // replaces the centre if the series converges faster around another
+  bool gains(Candidate& c, const Complex& centre, double radius) const {
+    constexpr double worthwhile = 0.999;
+    if (!(farthest(triangles_, centre) * c.radius <
+          worthwhile * farthest(triangles_, c.centre) * radius))
+      return false;
+    c.centre = centre;
+    c.radius = radius;
+    return true;
   }
 
   bool is_inside(const Complex& z) const {

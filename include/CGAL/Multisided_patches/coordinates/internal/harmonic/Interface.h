@@ -154,10 +154,11 @@ private:
     return (std::max)(resolution(cells_[face.cell[0]], z), resolution(cells_[face.cell[1]], z));
   }
 
-  // Enough for the oscillations, as a Gauss rule needs them: half a point a radian would do for the
-  // values alone, and the cube root is for the ends. But not many times the number of unknowns: in
-  // a sharp corner, the high powers live near the outer end of an edge only, where the Gauss points
-  // accumulate.
+  // Enough for the oscillations: values alone would need half a point a radian in a Gauss rule, but
+  // each point has a derivative, too; the cube root is for the ends. Measured on random polygons:
+  // with 0.5 and 1 some errors are seven times as large, with 0.5 and 1.5 or 0.4 and 2.5 no better.
+  // But not many times the number of unknowns: in a sharp corner, the high powers live near the
+  // outer end of an edge only, where the Gauss points accumulate.
   std::size_t number_of_points(const Segment& s, const Interface& face) const {
     const int unknowns = size(cells_[face.cell[0]]) + size(cells_[face.cell[1]]);
     const double finest = (std::max)(finest_resolution(face, s.a), finest_resolution(face, s.b)),

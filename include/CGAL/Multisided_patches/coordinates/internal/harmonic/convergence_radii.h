@@ -22,7 +22,12 @@ namespace harmonic {
 // seen from the centre directly or in the mirrors that the sides are. A path that is reflected is
 // no shorter than the straight one to where it ends: no mirror image is nearer than the nearest
 // vertex. What lies behind the cell's own sides is out of sight, however near it is; a thin slot on
-// the other side of a wall costs nothing.
+// the other side of a wall costs nothing: a path would have to go round an end of the side, which
+// is a vertex.
+//
+// A function of size 1 grows at most linearly with the number of reflections, which is as many as
+// there are between two near sides. The number of terms takes no account of it; what it makes of
+// the error is measured.
 
 inline double squared_distance_in(const Half_plane& h, const Complex& z, const Segment& s) {
   const std::optional<Segment> seen = clip(s, h);
