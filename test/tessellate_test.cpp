@@ -14,6 +14,7 @@
 
 #include <CGAL/Polyhedron_3.h>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <utility>
@@ -157,7 +158,9 @@ TEST_CASE("Triangles are well shaped next to reflex corners, too, where paramete
     for (const std::size_t count : {2000, 12000, 60000}) {
       CAPTURE(name, count);
       const Mesh mesh = tessellated(Patch(read_model(name)), MP::Mesh_density::triangles(count));
-      // Those below 24 degrees are mended, where one of a few tries succeeds.
+      // Those below 24 degrees are mended, but for one here and there of which all tries fail.
+      const std::vector<double> angles = smallest_angles(mesh);
+      CHECK(std::count_if(angles.begin(), angles.end(), [](double a) { return a < 23.9; }) <= 1);
       CHECK(MP::check_mesh(mesh).smallest_angle > 20);
     }
 }

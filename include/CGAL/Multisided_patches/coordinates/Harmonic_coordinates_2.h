@@ -136,9 +136,11 @@ public:
   }
 
   /*!
-   * an estimate, on the safe side in all experiments, of the largest error of any value: the
-   * largest jump of value or scaled normal derivative that was measured between neighbouring cells,
-   * times 4, or more if the cells differ greatly in size. It is that of the approximation; the
+   * an estimate of the largest error of any value: the largest jump of value or scaled normal
+   * derivative that was measured between neighbouring cells, times 4, or more if the cells differ
+   * greatly in size. On 1,000 random domains errors were below a quarter of it; at the ends of a
+   * corridor 1e-4 wide one was above it, and next to gaps below 1e-7 of the size of the domain some
+   * points are off by far more. It is that of the approximation; the
    * correction that reproduces linear functions, and the clamping at zero, change values by no more
    * than its order.
    */
