@@ -33,6 +33,44 @@ std::vector<double> series_on_circle(const Harmonic_coordinates_2& h, const Poin
   return result;
 }
 
+// the same on an arc around a point of the boundary, from the direction of a side to that of the
+// one before, `angle` pi further, for what is left of the functions without the parts of a cell
+// that carry the boundary values: in the powers Im zeta^(k / angle), k = 0, 1, ...
+template <typename Cell>
+std::vector<double> series_on_arc(const Harmonic_coordinates_2& h, const Cell& cell,
+                                  const harmonic::Complex& c, const harmonic::Complex& direction,
+                                  double angle, double radius, std::size_t terms) {
+  const std::size_t samples = 4 * terms;
+  std::vector<std::vector<double>> sums(h.domain().size(), std::vector<double>(terms, 0));
+  for (std::size_t j = 1; j < samples; ++j) {
+    const double t = MP::internal::pi * static_cast<double>(j) / double(samples);
+    const harmonic::Complex z = c + radius * direction * std::polar(1., angle * t);
+    auto lambda = evaluate<0>(h, {z.real(), z.imag()});
+    std::array<harmonic::Hat_term<0>, harmonic::max_hat_terms> hats;
+    const std::size_t count = cell.template hats<0>(z, hats.data());
+    for (std::size_t i = 0; i < count; ++i)
+      lambda[hats[i].vertex][0] -= hats[i].f[0].real();
+    for (std::size_t i = 0; i < lambda.size(); ++i)
+      for (std::size_t k = 0; k < terms; ++k)
+        sums[i][k] += lambda[i][0] * 2 / double(samples) * std::sin(double(k) * t);
+  }
+  std::vector<double> result(terms, 0);
+  for (const std::vector<double>& sum : sums)
+    for (std::size_t k = 0; k < terms; ++k)
+      result[k] = (std::max)(result[k], std::abs(sum[k]));
+  return result;
+}
+
+// the distance of a point to all sides but two
+double distance_to_others(const harmonic::Boundary& boundary, const harmonic::Complex& z,
+                          std::size_t e1, std::size_t e2) {
+  double squared = std::numeric_limits<double>::infinity();
+  for (std::size_t e = 0; e < boundary.size(); ++e)
+    if (e != e1 && e != e2)
+      squared = (std::min)(squared, harmonic::squared_distance(z, boundary.side(e)));
+  return std::sqrt(squared);
+}
+
 } // namespace
 
 // From a circle that the domain contains, so that only the decay of the terms tells how far the
@@ -60,6 +98,58 @@ TEST_CASE("Series around points inside converge beyond the sides, up to the near
   CHECK(beyond > 50);
 }
 
+TEST_CASE("Series around points of sides converge up to the nearest vertex on this side",
+          "[harmonic]") {
+  constexpr std::size_t terms = 24;
+  std::size_t beyond = 0;
+  for (const Harmonic_coordinates_2& h : on_all_domains(1e-11)) {
+    const harmonic::Boundary boundary = boundary_of(h.domain());
+    for (std::size_t e = 0; e < boundary.size(); ++e)
+      for (const double t : {0.3, 0.5}) {
+        const harmonic::Complex &d = boundary.direction(e),
+                                c = boundary.vertex(e) + t * boundary.length(e) * d;
+        const double distance = (std::min)(distance_to_others(boundary, c, e, e),
+                                           (std::min)(t, 1 - t) * boundary.length(e)),
+                     circle = 0.9 * distance, radius = harmonic::side_radius(boundary, e, c);
+        beyond += radius > 1.5 * distance;
+        const harmonic::Side_cell cell(boundary, e, c, radius, 1);
+        const std::vector<double> sizes = series_on_arc(h, cell, c, d, 1, circle, terms);
+        INFO("around " << c << ", radius " << radius << ", " << distance << " from other sides of "
+                       << h.domain().size());
+        for (std::size_t k = 0; k < terms; ++k)
+          CHECK(sizes[k] <= 4 * radius / distance * std::pow(circle / radius, double(k)) + 1e-10);
+      }
+  }
+  CHECK(beyond > 50);
+}
+
+TEST_CASE("Series around corners converge up to the nearest vertex, and to their mirror images",
+          "[harmonic]") {
+  constexpr std::size_t terms = 32;
+  std::size_t beyond = 0, reflex = 0;
+  for (const Harmonic_coordinates_2& h : on_all_domains(1e-11)) {
+    const harmonic::Boundary boundary = boundary_of(h.domain());
+    for (std::size_t k = 0; k < boundary.size(); ++k) {
+      const harmonic::Complex& c = boundary.vertex(k);
+      const std::size_t prev = boundary.prev(k);
+      const double distance = distance_to_others(boundary, c, k, prev), angle = boundary.angle(k),
+                   circle = 0.9 * distance, radius = harmonic::corner_radius(boundary, k);
+      beyond += radius > 1.5 * distance;
+      reflex += angle > 1 && radius > 1.5 * distance;
+      const harmonic::Corner_cell cell(boundary, k, radius, 1);
+      const std::vector<double> sizes =
+          series_on_arc(h, cell, c, boundary.direction(k), angle, circle, terms);
+      INFO("around " << c << ", radius " << radius << ", " << distance << " from other sides of "
+                     << h.domain().size());
+      for (std::size_t j = 0; j < terms; ++j)
+        CHECK(sizes[j] <=
+              4 * radius / distance * std::pow(circle / radius, double(j) / angle) + 1e-10);
+    }
+  }
+  CHECK(beyond > 50);
+  CHECK(reflex > 5);
+}
+
 TEST_CASE("Discs at corners end at other vertices, or where the corner sees itself mirrored",
           "[harmonic]") {
   const auto radius = [](const Points& polygon, std::size_t k) {
@@ -70,6 +160,23 @@ TEST_CASE("Discs at corners end at other vertices, or where the corner sees itse
   CHECK(radius({{0, 0}, {3, -4}, {3, 1}, {-3, 1}, {-3, -4}}, 0) == Approx(2));
   // another vertex is 0.002 away, but behind a wall of the corner
   CHECK(radius(slotted(), 3) == Approx(0.8));
+}
+
+// The hole reaches into the disc around the first triangle, and hides it from the middle of the
+// disc that the one above the hole would get.
+TEST_CASE("No cell reaches triangles behind a wall", "[harmonic]") {
+  const harmonic::Boundary boundary =
+      boundary_of(Domain({{-4, 1.07}, {0, 0}, {4, 1.07}, {4, 4}, {-4, 4}},
+                         {{{-2.2, 1}, {-2.2, 1.01}, {2.2, 1.01}, {2.2, 1}}}));
+  const std::size_t none = harmonic::Bisection_mesh::none;
+  harmonic::Candidate_finder finder(boundary, 1e-6);
+  for (const double y : {0.9, 1.1}) {
+    const harmonic::Leaf leaf{{{{-0.05, y - 0.05}, {0.05, y - 0.05}, {0, y}}}, {none, none, none}};
+    const auto found = finder.find(leaf);
+    REQUIRE(found);
+    INFO("kind " << static_cast<int>(found->kind) << " at " << found->centre);
+    CHECK((found->kind == harmonic::Candidate::Kind::corner) == (y < 1));
+  }
 }
 
 TEST_CASE("Discs are moved to where their series converge faster, inside or along their side",
@@ -137,7 +244,7 @@ TEST_CASE("Where a cell touches the boundary, it has the boundary values whateve
   std::size_t touching = 0;
   for (const Domain& domain : domains) {
     const harmonic::Boundary boundary = boundary_of(domain);
-    harmonic::Bisection_mesh mesh = harmonic::triangulate_boundary(boundary.vertices(), boundary);
+    harmonic::Bisection_mesh mesh = harmonic::triangulate_boundary(boundary);
     const harmonic::Cover cover = harmonic::Cover_builder(boundary, 1e-6, mesh).build();
     for (std::size_t t = 0; t < mesh.size(); ++t) {
       if (!mesh.triangle(t).is_leaf())

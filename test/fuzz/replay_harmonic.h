@@ -19,15 +19,14 @@ inline MP::internal::harmonic::Best_solution solve_for_harmonic(const std::strin
   namespace harmonic = MP::internal::harmonic;
   constexpr double acceptable_error = 1e-3;
   const Domain domain = read_polygon(bytes).domain;
-  std::vector<harmonic::Complex> exact, centred;
+  std::vector<harmonic::Complex> vertices;
   std::vector<std::size_t> next;
   for (std::size_t i = 0; i < domain.size(); ++i) {
-    exact.emplace_back(domain.vertex(i).x(), domain.vertex(i).y());
-    centred.push_back(exact.back() - harmonic::Complex(0.5, 0.5));
+    vertices.emplace_back(domain.vertex(i).x(), domain.vertex(i).y());
     next.push_back(domain.next(i));
   }
-  const harmonic::Boundary boundary(std::move(centred), std::move(next));
-  const harmonic::Bisection_mesh mesh = harmonic::triangulate_boundary(exact, boundary);
+  const harmonic::Boundary boundary(std::move(vertices), std::move(next));
+  const harmonic::Bisection_mesh mesh = harmonic::triangulate_boundary(boundary);
   return harmonic::solve_to_accuracy<CGAL::Sequential_tag>(boundary, mesh, target_error,
                                                            acceptable_error);
 }

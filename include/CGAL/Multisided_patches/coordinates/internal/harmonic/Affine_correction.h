@@ -16,8 +16,9 @@ namespace harmonic {
 
 // Makes coordinates reproduce affine functions to the last digits. Of all corrections it takes the
 // smallest, lambda += M^T (M M^T)^{-1} (b - M lambda), where the rows of M are 1, x_i and y_i, and
-// b = (1, x, y). It is one constant linear map, so derivatives are corrected by the same map, with
-// the derivatives of b. It vanishes where lambda is exact, and so keeps the boundary values.
+// b = (1, x, y): a projection onto coordinates that do, so the error does not grow in the Euclidean
+// norm. It is one constant linear map, so derivatives are corrected by the same map, with the
+// derivatives of b. It vanishes where lambda is exact, and so keeps the boundary values.
 class Affine_correction {
 public:
   Affine_correction() = default;

@@ -46,8 +46,9 @@ struct Candidate {
 //
 // The disc of a cell may reach across sides, but the cell does not: its triangles must not touch
 // any sides but its own, where its functions have no boundary values, and must lie on this side of
-// them. As no vertex lies in the disc, they do if they are visible from its centre, or connected
-// within the disc with one that is.
+// them. No vertex lies in the disc, so a side that crosses it parts it in two. Triangles that are
+// visible from the centre are on this side of all of them, and so are those connected with them by
+// others in the disc.
 class Candidate_finder {
 public:
   Candidate_finder(const Boundary& boundary, double tau)
@@ -194,6 +195,8 @@ private:
     const Triangle_points& t = leaf.corners;
     for (int i = 0; i < 3; ++i) {
       const std::size_t e = sides[i];
+      if (!touches_only(leaf, e, e))
+        continue;
       const Complex d = boundary_.direction(e), &source = boundary_.vertex(e);
       const double x[3] = {dot(t[0] - source, d), dot(t[1] - source, d), dot(t[2] - source, d)};
       const double middle = (std::min({x[0], x[1], x[2]}) + std::max({x[0], x[1], x[2]})) / 2;

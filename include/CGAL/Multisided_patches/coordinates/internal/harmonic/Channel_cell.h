@@ -16,7 +16,8 @@ namespace harmonic {
 // A part of the domain between two facing sides e1 and e2, see Strip_map. A harmonic function that
 // vanishes on both has the basis Im e^{j (W - high)}, Im e^{-j (W - low)}, j = 1..degree, where
 // [low, high] is the range of Re W: what enters at the ends decays exponentially inwards. One such
-// cell resolves a gap of any thinness.
+// cell resolves a gap of any thinness. As W may be as large as the channel is longer than wide, it
+// is measured from the nearer end.
 //
 // The boundary values are carried by four harmonic functions, 0 on one side and on the other
 //   O1: 1 on e1,  X1: x on e1,  O2: 1 on e2,  X2: the abscissa on e2, along it from above c.
@@ -25,8 +26,9 @@ public:
   Channel_cell(const Boundary& boundary, std::size_t e1, std::size_t e2, const Strip_map& map,
                const Complex& origin, const Interval& range, int degree)
       : side_{e1, e2}, target_{boundary.next(e1), boundary.next(e2)},
-        inverse_length_{1 / boundary.length(e1), 1 / boundary.length(e2)}, map_(map), range_(range),
-        degree_(degree) {
+        inverse_length_{1 / boundary.length(e1), 1 / boundary.length(e2)},
+        map_(map), end_{map.moved_to(range.high), map.moved_to(range.low)}, length_(range.length()),
+        middle_(map.abscissa((range.low + range.high) / 2)), degree_(degree) {
     const double beta = map.beta();
     const Complex d1 = boundary.direction(e1), d2 = boundary.direction(e2);
     const Complex above =
@@ -44,8 +46,12 @@ public:
   template <int Order, typename Real>
   void basis(const std::complex<Real>& z, Analytic<Order, Real>* f) const {
     using Number = std::complex<Real>;
-    const Number x = map_.local(z), w = map_.image(x);
-    const Number factor[2] = {std::exp(w - Real(range_.high)), std::exp(Real(range_.low) - w)};
+    const Number x = map_.local(z);
+    const int nearer = x.real() > Real(middle_) ? 0 : 1;
+    const Number w = end_[nearer].image(end_[nearer].local(z)), inwards = nearer == 0 ? w : -w;
+    Number factor[2];
+    factor[nearer] = std::exp(inwards);
+    factor[1 - nearer] = std::exp(-Real(length_) - inwards);
     const Number d = Order > 0 ? map_.derivative(x) : Number(0);
     // W'' / W'
     const Number bend = Order > 1 ? -d * bending<Real>() : Number(0);
@@ -127,7 +133,9 @@ private:
   double inverse_length_[2];
   double abscissa_[2]; // along the side, of the point from which X1 or X2 is measured
   Strip_map map_;
-  Interval range_;
+  Strip_map end_[2]; // with W = 0 where Re W is high or low
+  double length_;    // in units of Re W
+  double middle_;    // the abscissa where it changes which end is nearer
   int degree_;
 };
 

@@ -22,6 +22,10 @@ namespace harmonic {
 // A pattern search: in steps of a fixed length while these gain, then of half that length. Hooke
 // and Jeeves, "'Direct search' solution of numerical and statistical problems", J. ACM 8 (1961).
 // What counts as a gain is far above rounding, so that no steps lead back and forth.
+//
+// The triangles stay on this side of all sides that cross the disc (see Candidate_finder): inside,
+// the centre stays in one of them; on a side, a side that came between would also have been between
+// them and the centre before the step, which is shorter than the radius.
 class Disc_centring {
 public:
   Disc_centring(const Boundary& boundary, const std::vector<Triangle_points>& triangles)

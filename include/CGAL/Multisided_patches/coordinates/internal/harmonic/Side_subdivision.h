@@ -24,11 +24,10 @@ namespace harmonic {
 // side is cut at the feet of vertices that are near, measured by its length.
 class Side_subdivision {
 public:
-  // Feet at less than `min_distance` from their vertices are left alone.
-  Side_subdivision(const Boundary& boundary, double min_distance)
+  explicit Side_subdivision(const Boundary& boundary)
       : boundary_(boundary), parameters_(boundary.size()) {
     for (std::size_t e = 0; e < boundary.size(); ++e)
-      subdivide(e, min_distance);
+      subdivide(e);
   }
 
   const std::vector<double>& parameters(std::size_t side) const { return parameters_[side]; }
@@ -37,6 +36,8 @@ private:
   // On random polygons neither matters; on combs any such numbers do.
   static constexpr double max_distance = 0.125; // of the length of the side
   static constexpr double min_spacing = 0.3;    // between cuts, of the distance
+  // Rounding would show in the place of a nearer foot.
+  static constexpr double min_distance = 1e-10;
 
   struct Foot {
     double distance; // from the vertex
@@ -45,7 +46,7 @@ private:
   };
 
   // The nearest vertices come first: a foot is of no use next to that of a nearer vertex.
-  void subdivide(std::size_t e, double min_distance) {
+  void subdivide(std::size_t e) {
     std::vector<Foot> feet;
     for (std::size_t k = 0; k < boundary_.size(); ++k) {
       const Complex z = boundary_.vertex(k) - boundary_.vertex(e);

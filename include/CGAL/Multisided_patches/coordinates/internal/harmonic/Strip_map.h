@@ -62,6 +62,12 @@ public:
   double abscissa(double s) const {
     return s / lambda_ * expm1_ratio(Complex(beta_ * s / pi)).real();
   }
+  // the same map less s: seen from that point
+  Strip_map moved_to(double s) const {
+    const double x = abscissa(s);
+    return Strip_map(origin_ + x * std::conj(inverse_direction_), std::conj(inverse_direction_),
+                     height_ * (1 + kappa_ * x), beta_);
+  }
 
   // the range of Re W on a segment inside the wedge: circles about the apex are its level lines
   Interval range(const Segment& segment) const {

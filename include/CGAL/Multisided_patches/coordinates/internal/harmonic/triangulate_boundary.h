@@ -12,7 +12,6 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
-#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -23,17 +22,10 @@ namespace harmonic {
 
 // the constrained Delaunay triangulation of the domain, with some more points on its sides; the
 // point of vertex k is number k.
-//
-// The combinatorics come from `exact`, the coordinates as they were given: those of the boundary
-// are the same up to a translation, whose rounding could make a thin triangle lie the wrong way
-// round.
-inline Bisection_mesh triangulate_boundary(std::vector<Complex> exact, const Boundary& boundary) {
+inline Bisection_mesh triangulate_boundary(const Boundary& boundary) {
   using Kernel = Exact_predicates_inexact_constructions_kernel;
   using Triangulation = Boundary_triangulation<Kernel>;
-  double largest = 0;
-  for (const Complex& z : exact)
-    largest = (std::max)(largest, std::abs(z));
-  const Side_subdivision subdivision(boundary, 1e-10 * largest);
+  const Side_subdivision subdivision(boundary);
 
   std::vector<Complex> points = boundary.vertices();
   std::vector<std::size_t> next(boundary.size()), sides(boundary.size());
@@ -45,14 +37,13 @@ inline Bisection_mesh triangulate_boundary(std::vector<Complex> exact, const Bou
     for (const double t : subdivision.parameters(k)) {
       go_to(points.size());
       points.push_back(points[k] + t * (points[end] - points[k]));
-      exact.push_back(exact[k] + t * (exact[end] - exact[k]));
       next.emplace_back();
       sides.push_back(k);
     }
     go_to(end);
   }
   std::vector<Kernel::Point_2> vertices;
-  for (const Complex& z : exact)
+  for (const Complex& z : points)
     vertices.emplace_back(z.real(), z.imag());
   const Triangulation triangulation(vertices, next);
 
