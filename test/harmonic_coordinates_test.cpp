@@ -139,6 +139,25 @@ TEST_CASE("On triangles and rectangles harmonic coordinates are polynomials", "[
 }
 
 // xy is harmonic, and linear on every side parallel to an axis.
+// The bilinear ones; the width is a power of two, as are the distances from the origin.
+TEST_CASE("On a thin rectangle anywhere, harmonic coordinates are those at the origin",
+          "[harmonic]") {
+  for (const double width : {0x1p-10, 0x1p-20, 0x1p-30})
+    for (const double offset : {0., 1., 2., 4., 1024.}) {
+      const Harmonic_coordinates_2 h(Domain({{offset, offset},
+                                             {offset + 1, offset},
+                                             {offset + 1, offset + width},
+                                             {offset, offset + width}}));
+      for (const double s : {0.125, 0.5, 0.75})
+        for (const double t : {0.25, 0.5, 0.875}) {
+          const auto lambda = evaluate<0>(h, {offset + s, offset + t * width});
+          const double expected[4] = {(1 - s) * (1 - t), s * (1 - t), s * t, (1 - s) * t};
+          for (std::size_t i = 0; i < 4; ++i)
+            CHECK(lambda[i][0] == Approx(expected[i]).epsilon(0).margin(1e-13));
+        }
+    }
+}
+
 TEST_CASE("Between sides parallel to the axes, the function xy is reproduced", "[harmonic]") {
   for (const Domain& domain : rectilinear_domains()) {
     const Harmonic_coordinates_2 h(domain);

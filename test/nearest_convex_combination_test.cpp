@@ -6,12 +6,15 @@
 #include "catch.h"
 #include "fixtures.h"
 
+#include <CGAL/Multisided_patches/coordinates/internal/harmonic/Affine_correction.h>
 #include <CGAL/Multisided_patches/coordinates/internal/harmonic/nearest_convex_combination.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
+using CGAL::Multisided_patches::internal::harmonic::Affine_correction;
 using CGAL::Multisided_patches::internal::harmonic::Complex;
 using CGAL::Multisided_patches::internal::harmonic::make_nonnegative;
 using CGAL::Multisided_patches::internal::harmonic::Nearest_convex_combination;
@@ -98,6 +101,41 @@ TEST_CASE("The nearest convex combination is one, is nearest, and is no farther 
         product += (given[i] - nearest[i]) * (other[i] - nearest[i]);
       CHECK(product <= 1e-10 * noise * size + 1e-15 * noise);
     }
+  }
+}
+
+TEST_CASE("On slanted slivers of any width, the nearest convex combination is one", "[harmonic]") {
+  for (const double width : {1e-3, 1e-6, 1e-9})
+    for (unsigned seed = 1; seed <= 100; ++seed) {
+      INFO("width " << width << ", seed " << seed);
+      Random random(seed);
+      const Complex along = std::polar(1., random.in(0, 6));
+      std::vector<Complex> points;
+      for (std::size_t i = 0; i < 12; ++i)
+        points.push_back(along * Complex(random.in(-0.5, 0.5), width * random.in(-0.5, 0.5)));
+      const std::vector<double> exact = random_combination(random, points.size() - 4);
+      const Complex z = combination_of(points, exact);
+      std::vector<double> given = exact;
+      for (double& mu : given)
+        mu += random.in(-1e-5, 1e-5);
+      const Affine_correction correction(points);
+      correction(std::array<double, 3>{1, z.real(), z.imag()}, given.data());
+      const std::vector<double> nearest = nearest_combination(points, z, given);
+      CHECK(*std::min_element(nearest.begin(), nearest.end()) >= 0);
+      CHECK(std::abs(sum_of(nearest) - 1) < 1e-14);
+      CHECK(std::abs(combination_of(points, nearest) - z) < 1e-14);
+    }
+}
+
+TEST_CASE("Points outside by rounding get coordinates that are not negative and sum to one",
+          "[harmonic]") {
+  const std::vector<Complex> points{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.2, 0.5}};
+  for (const double outside : {1e-16, 1e-12, 1e-6, 1e-3}) {
+    std::vector<double> lambda{0.4 + outside, 0.6, -outside / 2, -outside / 2, 0};
+    make_nonnegative(points, Complex(0.6, -outside), lambda.data());
+    CHECK(*std::min_element(lambda.begin(), lambda.end()) >= 0);
+    CHECK(std::abs(sum_of(lambda) - 1) < 1e-15);
+    CHECK(std::abs(combination_of(points, lambda) - 0.6) < 3 * outside + 1e-15);
   }
 }
 

@@ -46,9 +46,9 @@ struct Candidate {
 //
 // The disc of a cell may reach across sides, but the cell does not: its triangles must not touch
 // any sides but its own, where its functions have no boundary values, and must lie on this side of
-// them. No vertex lies in the disc, so a side that crosses it parts it in two. Triangles that are
-// visible from the centre are on this side of all of them, and so are those connected with them by
-// others in the disc.
+// them. On this side of its own sides no other vertex lies in the disc, so a side that crosses it
+// there parts it in two. Triangles that are visible from the centre are on this side of all of
+// them, and so are those connected with them by others in the disc.
 class Candidate_finder {
 public:
   Candidate_finder(const Boundary& boundary, double tau)

@@ -8,6 +8,8 @@
 
 #include <CGAL/Multisided_patches/coordinates/internal/harmonic/Strip_map.h>
 
+#include <algorithm>
+
 namespace CGAL {
 namespace Multisided_patches {
 namespace internal {
@@ -48,7 +50,10 @@ public:
     using Number = std::complex<Real>;
     const Number x = map_.local(z);
     const int nearer = x.real() > Real(middle_) ? 0 : 1;
-    const Number w = end_[nearer].image(end_[nearer].local(z)), inwards = nearer == 0 ? w : -w;
+    const Number w = end_[nearer].image(end_[nearer].local(z));
+    // A point within rounding of the cell may be far outside, in units of W.
+    const Number inwards((std::min)(nearer == 0 ? w.real() : -w.real(), Real(1)),
+                         nearer == 0 ? w.imag() : -w.imag());
     Number factor[2];
     factor[nearer] = std::exp(inwards);
     factor[1 - nearer] = std::exp(-Real(length_) - inwards);
