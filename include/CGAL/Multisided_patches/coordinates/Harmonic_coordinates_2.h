@@ -242,7 +242,8 @@ private:
   }
 
   // The domain is scaled to unit size, by a power of two, and moved to the origin if it is far
-  // away. Both are exact, for all points in its box: no gap gets wider or narrower by rounding.
+  // away. But for underflow both are exact, for all points in its box: no gap gets wider or
+  // narrower by rounding.
   void set_frame() {
     const Bbox_2 box = this->domain().bbox();
     origin_ = {exact_origin(box.xmin(), box.xmax()), exact_origin(box.ymin(), box.ymax())};
