@@ -82,7 +82,7 @@ TEST_CASE("The bound holds in gaps of any width, also next to their ends", "[har
     for (const Domain& domain :
          {Domain(zigzag(width)), Domain(rake(width)), Domain(dumbbell(width)),
           Domain(Points{{0, 0}, {3, 0}, {3, 2}, {0, 2}}, {{{1, width}, {0.5, 1}, {2.5, 1}}})}) {
-      const Harmonic_coordinates_2 h(domain, 1e-8, 1e-1), fine(domain, 1e-11, 1e-1);
+      const Harmonic_coordinates_2 h(domain, 1e-8, 1e-4), fine(domain, 1e-11, 1e-4);
       INFO("width " << width << ", " << domain.size() << " sides, bounds " << h.error_bound()
                     << " and " << fine.error_bound());
       for (const Point_2& p : points_near_vertices(domain)) {
@@ -97,6 +97,16 @@ TEST_CASE("The bound holds in gaps of any width, also next to their ends", "[har
           CHECK(std::abs(lambda[i][0] - extended[i][0]) <= h.error_bound());
       }
     }
+}
+
+TEST_CASE("Slanted corridors of any width are resolved as far as their coordinates tell",
+          "[harmonic]") {
+  Random random(12);
+  for (int trial = 0; trial < 20; ++trial) {
+    const double width = std::pow(10., -random.in(4, 11));
+    INFO("seed 12, trial " << trial << ", width " << width);
+    CHECK(Harmonic_coordinates_2(Domain(zigzag(width)), 1e-4, 1e-3).error_bound() <= 1e-3);
+  }
 }
 
 // A harmonic function is determined by its boundary values, which are exact, and this property.

@@ -234,6 +234,31 @@ TEST_CASE("Discs come to rest on mirror-symmetric domains", "[harmonic]") {
   }
 }
 
+// The height of a gap is known to as few digits as its coordinates tell, and differs between both
+// ends; that must not move them.
+TEST_CASE("A channel ends where its sides do, however thin it is", "[harmonic]") {
+  Random random(11);
+  for (int trial = 0; trial < 200; ++trial) {
+    const double width = std::pow(10., -random.in(2, 12)), angle = random.in(0, 2 * pi);
+    INFO("seed 11, trial " << trial << ", width " << width << ", angle " << angle);
+    const harmonic::Complex origin(random.in(-1, 1), random.in(-1, 1)), d = std::polar(1., angle);
+    const auto point = [&](double along, double across) {
+      return origin + d * harmonic::Complex(along, across);
+    };
+    const double low = 5 * width, high = 1 - 3 * width;
+    const harmonic::Boundary boundary(
+        {point(0, 0), point(1, 0), point(high, width), point(low, width)}, {1, 2, 3, 0});
+    const std::vector<harmonic::Channel> channels = harmonic::channels(boundary, 0, 2);
+    REQUIRE(channels.size() == 1);
+    const harmonic::Channel& c = channels.front();
+    const harmonic::Complex d1 = boundary.direction(c.e1);
+    const double ends[2] = {harmonic::dot(c.origin + c.map.abscissa(c.free.low) * d1 - origin, d),
+                            harmonic::dot(c.origin + c.map.abscissa(c.free.high) * d1 - origin, d)};
+    CHECK((std::min)(ends[0], ends[1]) == Approx(low).epsilon(0).margin(2e-15));
+    CHECK((std::max)(ends[0], ends[1]) == Approx(high).epsilon(0).margin(2e-15));
+  }
+}
+
 TEST_CASE("Where a cell touches the boundary, it has the boundary values whatever its coefficients",
           "[harmonic]") {
   const unsigned seed = 17;

@@ -92,6 +92,26 @@ TEST_CASE("Derivatives at vertices are finite, and at convex ones the limits", "
   }
 }
 
+// They are taken at points so near to the vertices that far from the origin no number lies between.
+TEST_CASE("Derivatives at vertices are the same in higher precision, anywhere", "[harmonic]") {
+  for (const double offset : {0., 1e3, 1e12}) {
+    Points points;
+    for (const Point_2& p : Points{{0, 0}, {4, 0}, {4, 2}, {2, 2}, {2, 4}, {0, 4}})
+      points.emplace_back(p.x() + offset, p.y() + 3 * offset);
+    const Harmonic_coordinates_2 h{Domain(points)};
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const auto lambda = evaluate<2>(h, points[k], Location::on_vertex(k));
+      std::vector<MP::Jet_2<long double, 2>> precise(points.size());
+      h.evaluate<2>(static_cast<long double>(points[k].x()),
+                    static_cast<long double>(points[k].y()),
+                    MP::Domain_location<long double>::on_vertex(k), precise.data());
+      for (std::size_t i = 0; i < points.size(); ++i)
+        for (std::size_t j = 0; j < Jet<2>::size; ++j)
+          CHECK(lambda[i][j] == Approx(static_cast<double>(precise[i][j])).margin(1e-6));
+    }
+  }
+}
+
 namespace {
 
 // points inside, on the sides and at the vertices, in mixed order

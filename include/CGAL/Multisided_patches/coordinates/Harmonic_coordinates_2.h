@@ -118,7 +118,7 @@ public:
     set_frame();
     std::vector<std::size_t> next;
     for (std::size_t i = 0; i < domain.size(); ++i) {
-      vertices_.push_back(normalized(domain.vertex(i)));
+      vertices_.push_back(normalized<double>(domain.vertex(i).x(), domain.vertex(i).y()));
       next.push_back(domain.next(i));
     }
     const internal::harmonic::Boundary boundary(vertices_, next);
@@ -191,15 +191,7 @@ public:
    */
   template <int Order, typename Real>
   void evaluate_extended(const Real& u, const Real& v, Jet_2<Real, Order>* lambda) const {
-    const std::complex<Real> z =
-        Real(scale_) * (std::complex<Real>(u, v) - std::complex<Real>(origin_));
-    const Complex rounded(static_cast<double>(z.real()), static_cast<double>(z.imag()));
-    std::vector<Real> parts(basis_.stride() * number_of_parts<Order>);
-    basis_.template evaluate<Order>(basis_.locate(rounded), z, parts.data());
-    correct<Order>(z, parts.data());
-    for (std::size_t i = 0; i < this->domain().size(); ++i)
-      for (std::size_t k = 0; k < Jet_2<Real, Order>::size; ++k)
-        lambda[i][k] = entry(parts.data() + i, k);
+    evaluate_in_frame(normalized(u, v), lambda);
   }
 
 #ifndef DOXYGEN_RUNNING
@@ -209,15 +201,16 @@ public:
                         Jet_2<Real, Order>* lambda) const {
     const bool at_vertex = location.kind == Domain_location<Real>::Kind::vertex;
     if constexpr (std::is_same_v<Real, FT>) {
-      const Complex z = at_vertex ? vertex_probes_[location.index] : normalized(Point_2(u, v));
-      evaluate_in_cell(basis_.locate(z), z, lambda);
+      const Complex z = at_vertex ? vertex_probes_[location.index] : normalized<double>(u, v);
+      evaluate_nonnegative(z, lambda);
     } else {
       static_assert(std::is_floating_point_v<Real> &&
                         std::numeric_limits<Real>::digits >= std::numeric_limits<double>::digits,
                     "harmonic coordinates are approximated in double precision: other number types "
                     "would not be more exact. Take their values, and go on with these exactly.");
-      const Complex z = at_vertex ? vertex_probes_[location.index] / scale_ + origin_ : Complex();
-      evaluate_extended(at_vertex ? Real(z.real()) : u, at_vertex ? Real(z.imag()) : v, lambda);
+      evaluate_in_frame(at_vertex ? std::complex<Real>(vertex_probes_[location.index])
+                                  : normalized(u, v),
+                        lambda);
     }
     if constexpr (Order >= 1)
       if (at_vertex && this->domain().corner_type(location.index) == Corner_type::convex)
@@ -259,11 +252,9 @@ private:
     return is_far ? low + (high - low) / 2 : 0;
   }
 
-  static Complex complex(const Point_2& p) {
-    return {static_cast<double>(p.x()), static_cast<double>(p.y())};
-  }
-  Complex normalized(const Point_2& p) const {
-    return scale_ * (complex(p) - origin_);
+  template <typename Real>
+  std::complex<Real> normalized(const Real& u, const Real& v) const {
+    return Real(scale_) * (std::complex<Real>(u, v) - std::complex<Real>(origin_));
   }
 
   void set_vertex_probes(const internal::harmonic::Boundary& boundary) {
@@ -290,14 +281,14 @@ private:
                          best.error);
   }
 
-  // makes all parts fit to 1, u and v
+  // makes all parts fit to 1, x and y
   template <int Order, typename Real>
   void correct(const std::complex<Real>& z, Real* parts) const {
-    // 1, x, y and their derivatives by x, by y, and twice
-    const std::array<Real, 3> affine[5] = {
-        {1, z.real(), z.imag()}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}, {0, 0, 0}};
+    // 1, x and y relative to z, and their derivatives by x, by y, and twice
+    constexpr std::array<Real, 3> affine[5] = {
+        {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}, {0, 0, 0}};
     for (int k = 0; k < number_of_parts<Order>; ++k)
-      correction_(affine[k], parts + static_cast<std::size_t>(k) * basis_.stride());
+      correction_(z, affine[k], parts + static_cast<std::size_t>(k) * basis_.stride());
   }
 
   // entry k of the jet of a coordinate in the domain, from its parts in the normalized frame
@@ -308,16 +299,32 @@ private:
     return (k == 5 ? -factor : factor) * parts[part[k] * basis_.stride()];
   }
 
+  // evaluates the approximation at a point of the normalized frame
+  template <int Order, typename Real>
+  void evaluate_in_frame(const std::complex<Real>& z, Jet_2<Real, Order>* lambda) const {
+    std::vector<Real> parts(basis_.stride() * number_of_parts<Order>);
+    const Complex rounded(static_cast<double>(z.real()), static_cast<double>(z.imag()));
+    basis_.template evaluate<Order>(basis_.locate(rounded), z, parts.data());
+    correct<Order>(z, parts.data());
+    store(parts.data(), lambda);
+  }
+
+  // the same, without values below zero
   template <int Order>
-  void evaluate_in_cell(std::size_t cell, const Complex& z, Jet_2<FT, Order>* lambda) const {
+  void evaluate_nonnegative(const Complex& z, Jet_2<FT, Order>* lambda) const {
     boost::container::small_vector<double, 32 * number_of_parts<Order>> parts(
         basis_.stride() * number_of_parts<Order>);
-    basis_.template evaluate<Order>(cell, z, parts.data());
+    basis_.template evaluate<Order>(basis_.locate(z), z, parts.data());
     correct<Order>(z, parts.data());
     internal::harmonic::make_nonnegative(vertices_, z, parts.data());
+    store(parts.data(), lambda);
+  }
+
+  template <int Order, typename Real, typename Result>
+  void store(const Real* parts, Jet_2<Result, Order>* lambda) const {
     for (std::size_t i = 0; i < this->domain().size(); ++i)
-      for (std::size_t k = 0; k < Jet_2<FT, Order>::size; ++k)
-        lambda[i][k] = static_cast<FT>(entry(parts.data() + i, k));
+      for (std::size_t k = 0; k < Jet_2<Result, Order>::size; ++k)
+        lambda[i][k] = static_cast<Result>(entry(parts + i, k));
   }
 
   // evaluates consecutive points

@@ -37,16 +37,19 @@ public:
     weights_.transposeInPlace();
   }
 
-  // corrects one value, or one partial derivative, of all coordinates; b is what sum lambda_i,
-  // sum lambda_i x_i and sum lambda_i y_i should be
+  // corrects one value, or one partial derivative, of all coordinates of z; b is what sum lambda_i,
+  // and sum lambda_i (v_i - z) should be. Differences from z keep the digits that the position of a
+  // thin polygon in the plane would cost.
   template <typename Real>
-  void operator()(const std::array<Real, 3>& b, Real* lambda) const {
+  void operator()(const std::complex<Real>& z, const std::array<Real, 3>& b, Real* lambda) const {
     std::array<Real, 3> defect = b;
     for (std::size_t i = 0; i < vertices_.size(); ++i) {
       defect[0] -= lambda[i];
-      defect[1] -= lambda[i] * vertices_[i].real();
-      defect[2] -= lambda[i] * vertices_[i].imag();
+      defect[1] -= lambda[i] * (vertices_[i].real() - z.real());
+      defect[2] -= lambda[i] * (vertices_[i].imag() - z.imag());
     }
+    defect[1] += z.real() * defect[0];
+    defect[2] += z.imag() * defect[0];
     const double* w = weights_.data();
     for (std::size_t i = 0; i < vertices_.size(); ++i, w += 3)
       lambda[i] += defect[0] * w[0] + defect[1] * w[1] + defect[2] * w[2];

@@ -94,10 +94,17 @@ inline std::vector<Channel> channels(const Boundary& boundary, std::size_t e1, s
   for (const Interval& free : free_intervals(boundary, e1, e2, *map)) {
     if (!(free.length() >= min_channel_length))
       continue;
-    const double middle = (free.low + free.high) / 2;
-    const Complex origin = end + map->abscissa(middle) * boundary.direction(e1);
-    if (const std::optional<Strip_map> local = strip_map(boundary, e1, e2, origin))
-      result.push_back({e1, e2, origin, *local, {free.low - middle, free.high - middle}});
+    const double middle = map->abscissa((free.low + free.high) / 2);
+    const Complex origin = end + middle * boundary.direction(e1);
+    const std::optional<Strip_map> local = strip_map(boundary, e1, e2, origin);
+    if (!local)
+      continue;
+    // Where the gap is as thin as rounding, both maps know its height to a few digits, and do not
+    // agree on a W that is large, but on abscissas.
+    const auto image = [&](double s) {
+      return local->image(Complex(map->abscissa(s) - middle)).real();
+    };
+    result.push_back({e1, e2, origin, *local, {image(free.low), image(free.high)}});
   }
   return result;
 }
