@@ -138,25 +138,28 @@ TEST_CASE("A block matrix that is not positive definite is found out", "[harmoni
   CHECK_FALSE(blocks.factorize<Sequential_tag>());
 }
 
-// Across a sliver all numbers are as small as its width, and so must be what is left. The weights
-// of the correction are as large as 1 / width, times the rounding of the defects.
-TEST_CASE("Linear functions are restored on slivers in all directions", "[harmonic]") {
+// Across a sliver all numbers are as small as its width, and so must be what is left, wherever it
+// lies. The weights of the correction are as large as 1 / width, times the rounding of the defects,
+// which are of the same size.
+TEST_CASE("Linear functions are restored on slivers in all directions and places", "[harmonic]") {
   const double width = 1e-6;
   const Complex along(0.6, 0.8), across(-0.8, 0.6);
-  std::vector<Complex> vertices;
-  for (const double t : {-0.5, 0.1, 0.5})
-    vertices.push_back(t * along - width * across);
-  for (const double t : {0.5, -0.2, -0.5})
-    vertices.push_back(t * along + width * across);
-  std::vector<double> lambda{0.1, 0.2, 0.3, 0.1, 0.15, 0.16};
-  const Complex z = 0.05 * along + 0.3 * width * across;
-  Affine_correction correction(vertices);
-  correction(std::array<double, 3>{1, z.real(), z.imag()}, lambda.data());
-  double sum = -1, offset = -dot(z, across);
-  for (std::size_t i = 0; i < lambda.size(); ++i) {
-    sum += lambda[i];
-    offset += lambda[i] * dot(vertices[i], across);
+  for (const Complex& place : {Complex(0), Complex(0.3, -0.4), Complex(1, 1)}) {
+    std::vector<Complex> vertices;
+    for (const double t : {-0.5, 0.1, 0.5})
+      vertices.push_back(place + t * along - width * across);
+    for (const double t : {0.5, -0.2, -0.5})
+      vertices.push_back(place + t * along + width * across);
+    std::vector<double> lambda{0.1, 0.2, 0.3, 0.1, 0.15, 0.16};
+    const Complex z = place + 0.05 * along + 0.3 * width * across;
+    const Affine_correction correction(vertices);
+    correction(z, std::array<double, 3>{1, 0, 0}, lambda.data());
+    double sum = -1, offset = 0;
+    for (std::size_t i = 0; i < lambda.size(); ++i) {
+      sum += lambda[i];
+      offset += lambda[i] * dot(vertices[i] - z, across);
+    }
+    CHECK(std::abs(sum) < 1e-16 / width);
+    CHECK(std::abs(offset) < 1e-16);
   }
-  CHECK(std::abs(sum) < 1e-16 / width);
-  CHECK(std::abs(offset) < 1e-15);
 }

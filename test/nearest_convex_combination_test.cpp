@@ -119,7 +119,7 @@ TEST_CASE("On slanted slivers of any width, the nearest convex combination is on
       for (double& mu : given)
         mu += random.in(-1e-5, 1e-5);
       const Affine_correction correction(points);
-      correction(std::array<double, 3>{1, z.real(), z.imag()}, given.data());
+      correction(z, std::array<double, 3>{1, 0, 0}, given.data());
       const std::vector<double> nearest = nearest_combination(points, z, given);
       CHECK(*std::min_element(nearest.begin(), nearest.end()) >= 0);
       CHECK(std::abs(sum_of(nearest) - 1) < 1e-14);
