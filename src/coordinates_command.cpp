@@ -178,18 +178,8 @@ void print_choice(const std::vector<std::size_t>& drawn, std::size_t n) {
                 n);
 }
 
-} // namespace
-
-void coordinates_command(const Coordinates_options& options) {
-  // What cannot succeed fails before the work, not after it.
-  const Format format = output_format(options.output);
-  check_options(options, format);
-  Stage_clock clock(options.quiet);
-  const Domain_input input = clock.run("reading", [&] { return read_domain(options.patch); });
-  check_domain(options, input);
-  check_index(options.vertex.value_or(0), input.domain.size(), "--vertex");
-  check_files(options);
-
+void write_coordinates(const Coordinates_options& options, Format format, const Domain_input& input,
+                       Stage_clock& clock) {
   const Any_coordinates coordinates = clock.run("setup", [&] {
     return make_coordinates(input.coordinates, input.domain,
                             options.target_error.value_or(default_target_error));
@@ -203,6 +193,24 @@ void coordinates_command(const Coordinates_options& options) {
   print_summary(options, input, coordinates, points, clock);
   if (format == Format::picture)
     print_choice(drawn, input.domain.size());
+}
+
+} // namespace
+
+void coordinates_command(const Coordinates_options& options) {
+  // What cannot succeed fails before the work, not after it.
+  const Format format = output_format(options.output);
+  check_options(options, format);
+  Stage_clock clock(options.quiet);
+  const Domain_input input = clock.run("reading", [&] { return read_domain(options.patch); });
+  check_domain(options, input);
+  check_index(options.vertex.value_or(0), input.domain.size(), "--vertex");
+  check_files(options);
+  try {
+    write_coordinates(options, format, input, clock);
+  } catch (const MP::Numerical_error& error) {
+    throw MP::Numerical_error(options.patch.input + ": " + error.what());
+  }
 }
 
 } // namespace multipatch

@@ -85,6 +85,9 @@ int main(int argc, char* argv[]) {
   // With a minimum of 1, a misspelt command would not be named in the message.
   app.require_subcommand(0, 1);
 
+#ifdef SIGXFSZ
+  std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow is an error of its stream
+#endif
   Command_options options;
   add_commands(app, options);
   return after_printing(run(app, argc, argv));

@@ -265,7 +265,9 @@ TEST_CASE("What goes wrong with coordinates is said in two lines, and leaves no 
       {"word.cgb -o a.csv", data, "word.cgb:1: "},
       {". -o a.csv", data, ".: expected a file"},
       {"many.txt -o a.csv", data, "many.txt: 1001 vertices are too many for harmonic"},
-      {"huge.txt -o a.csv", data, "too large or too small"},
+      {"huge.txt -o a.csv", data, "huge.txt: the domain is too large or too small"},
+      {"tiny.txt -o a.csv", data, "tiny.txt: harmonic coordinates on a domain that is 1e-310 wide"},
+      {"l.txt -o a.csv --target-error 1e-30", data, "l.txt: harmonic coordinates on a domain of 6"},
       {"l.txt -o a.txt", usage, "a.txt: expected a name that ends in .svg or .csv"},
       {"l.txt -o no/a.csv", data, "no/a.csv: cannot be opened"},
       {"l.txt -o directory.csv", data, "directory.csv: cannot be written"},
@@ -308,6 +310,7 @@ TEST_CASE("What goes wrong with coordinates is said in two lines, and leaves no 
   work.write("crossing.txt", "0 0\n1 1\n1 0\n0 1\n");
   work.write("many.txt", polygon(1001));
   work.write("huge.txt", "0 0\n1e200 0\n0 1e200\n");
+  work.write("tiny.txt", "0 0\n1e-310 0\n0 1e-310\n");
   work.write("old.csv", "old");
   const std::set<std::string> files = work.files();
   for (const Row& row : rows) {
@@ -321,4 +324,14 @@ TEST_CASE("What goes wrong with coordinates is said in two lines, and leaves no 
     CHECK(contents(work / "old.csv") == "old");
     CHECK(contents(work / "l.csv") == l_shape);
   }
+}
+
+TEST_CASE("A table that outgrows the limit of file sizes is an error, and leaves no trace") {
+  const Scratch work("coordinates_file_size");
+  work.write("l.txt", l_shape);
+  const Result result =
+      work.run("coordinates l.txt -o a.csv --samples 10000", ">../out", "ulimit -f 10 &&");
+  CHECK(result.status == 1);
+  CHECK_THAT(result.err, StartsWith("multipatch: a.csv: cannot be written"));
+  CHECK(work.files() == std::set<std::string>{"l.txt"});
 }

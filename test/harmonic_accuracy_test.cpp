@@ -308,3 +308,24 @@ TEST_CASE("An accuracy out of reach is refused with what was reached", "[harmoni
   const Harmonic_coordinates_2 accepted(domain, 1e-30, 1e-10);
   CHECK(accepted.error_bound() < 1e-10);
 }
+
+TEST_CASE("An accuracy that was reached can be asked for", "[harmonic]") {
+  // a slanted gap, in which the rounding of vertices limits what can be reached
+  const Domain domain(
+      {{0, 0}, {4, 0}, {4, 3}, {2.3 + 1e-8, 3}, {2 + 1e-8, 1}, {2, 1}, {2.3, 3}, {0, 3}});
+  double reached = 0, told = 0;
+  try {
+    const Harmonic_coordinates_2 h(domain, 1e-8);
+  } catch (const MP::Accuracy_error& error) {
+    reached = error.reached();
+    const std::string message = error.what(), before = "asked for, and ";
+    told = std::stod(message.substr(message.find(before) + before.size()));
+  }
+  REQUIRE(reached > 1e-8);
+  CHECK(told >= reached);
+  CHECK(told < 1.11 * reached);
+  CHECK(Harmonic_coordinates_2(domain, 1e-8, told).error_bound() <= told);
+  // Another target takes another way.
+  const double target = 1.3 * reached;
+  CHECK(Harmonic_coordinates_2(domain, target).error_bound() <= target);
+}

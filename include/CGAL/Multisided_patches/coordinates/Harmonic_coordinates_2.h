@@ -56,10 +56,12 @@ namespace Multisided_patches {
  *
  * Setting up for errors of 1e-8 takes 1.3 to 9 ms for n = 8 vertices, 12 to 32 ms for 20 and 65 to
  * 240 ms for 64 on one core, a third less with AVX2, and grows with n^1.3 (combs, spirals), n^1.4
- * (random polygons), n^1.9 (regular ones) or n^2 (stars). Evaluating all coordinates with gradients
- * at a point takes less than a microsecond for n = 8, and allocates hardly any memory up to n = 32;
- * `evaluate_batch()` does it for many points in parallel. All queries may be made from several
- * threads.
+ * (random polygons), n^1.9 (regular ones) or n^2 (stars). Slots take longer, as cells shrink
+ * towards the end of a slot: 20 ms where its width is 0.1 of what is around it, 45 ms with 0.01,
+ * 0.2 s with 1e-7, and up to 1.2 s below; to find that a target is out of reach there, up to 7 s.
+ * Evaluating all coordinates with gradients at a point takes less than a microsecond for n = 8, and
+ * allocates hardly any memory up to n = 32; `evaluate_batch()` does it for many points in parallel.
+ * All queries may be made from several threads.
  *
  * \cgalModels{BarycentricCoordinates_2}
  *
@@ -103,7 +105,10 @@ public:
    *
    * \throws Input_error unless `target_error` > 0 and `acceptable_error` >= 0, both finite
    * \throws Accuracy_error if the target, and the acceptable error, could not be reached; it says
-   * what was
+   * what was, which is within reach as the acceptable error of the same target, and, but for bad
+   * luck, half as much again as a target
+   * \throws Numerical_error if the domain is so large or small that its extent or the inverse of
+   * that overflows
    *
    * Complexity: O(n²) time and memory, 2 kB · n² in the worst case; from n^1.3 on where
    * distant vertices do not see each other. The error asked for enters by its logarithm squared.
@@ -241,8 +246,13 @@ private:
     const Bbox_2 box = this->domain().bbox();
     origin_ = {exact_origin(box.xmin(), box.xmax()), exact_origin(box.ymin(), box.ymax())};
     int exponent = 0;
-    std::frexp((std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin()), &exponent);
+    const double extent = (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
+    std::frexp(extent, &exponent);
     scale_ = std::ldexp(1., -exponent);
+    if (!std::isfinite(extent) || !std::isfinite(scale_))
+      throw Numerical_error("harmonic coordinates on a domain that is " +
+                            internal::to_short_text(extent) +
+                            " wide: its inverse or itself is out of the range of numbers");
   }
 
   // The difference of two numbers is exact if neither is more than twice as large as the other
@@ -271,7 +281,7 @@ private:
                                          const internal::harmonic::Best_solution& best) const {
     std::string result = "nothing was reached";
     if (std::isfinite(best.error))
-      result = internal::to_short_text(best.error) + " was reached";
+      result = internal::to_short_text_above(best.error) + " was reached";
     else if (!best.failure.empty())
       result += "; " + best.failure;
     throw Accuracy_error("harmonic coordinates on a domain of " +

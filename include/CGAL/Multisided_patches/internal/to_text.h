@@ -7,6 +7,7 @@
 #define CGAL_MULTISIDED_PATCHES_INTERNAL_TO_TEXT_H
 
 #include <charconv>
+#include <cmath>
 #include <string>
 
 namespace CGAL {
@@ -24,6 +25,12 @@ inline std::string to_short_text(double x) {
   char buffer[32];
   return std::string(
       buffer, std::to_chars(buffer, buffer + sizeof(buffer), x, std::chars_format::general, 6).ptr);
+}
+
+// The same, of a positive number that one may ask for after reading it: two digits, rounded up.
+inline std::string to_short_text_above(double x) {
+  const double digit = std::pow(10., std::floor(std::log10(x)) - 1);
+  return to_short_text(std::ceil(x / digit * (1 + 1e-9)) * digit);
 }
 
 } // namespace internal

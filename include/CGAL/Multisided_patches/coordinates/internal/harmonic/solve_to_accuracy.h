@@ -50,6 +50,16 @@ inline double tau_reduction(double target_error, double error) {
   return (std::min)(0.25, 0.6 * std::pow(target_error / error, 1 / 1.3));
 }
 
+// How many rounds in a row may hardly lessen the error. Less than what is acceptable is not worth
+// any. Close to it, rounding may let an error stay above by chance, and much smaller taus help:
+// else one that was reached on the way to a smaller target could be out of reach when it is asked
+// for.
+inline int allowed_useless_rounds(double error, double acceptable_error) {
+  if (error <= acceptable_error)
+    return 0;
+  return error <= 2 * acceptable_error ? 3 : 1;
+}
+
 // solves Laplace's equation with ever smaller tau until the error is below the target, or nothing
 // is to be gained any more: where two vertices are so close that rounding shows in their distance,
 // the error stays what it is however small tau gets.
@@ -67,18 +77,17 @@ Best_solution solve_to_accuracy(const Boundary& boundary, const Bisection_mesh& 
     try {
       Solution s = solve_laplace<ConcurrencyTag>(boundary, mesh, tau, target_error);
       if (std::isfinite(s.error)) {
-        // The error should have become a tenth of what it was. If that was acceptable, less is not
-        // worth the time of another round; if not, these end with the second that does not even
-        // halve it.
+        // The error should have become a tenth of what it was; if that was not acceptable, half
+        // of it is useful, too.
         const double useful = best.error <= acceptable_error ? 0.1 : 0.5;
         useless_rounds = s.error > useful * best.error ? useless_rounds + 1 : 0;
         if (s.error < best.error) {
           best.error = s.error;
           best.basis = std::move(s.basis);
         }
-        if (tau == tau_min || useless_rounds > (best.error > acceptable_error ? 1 : 0))
+        if (tau == tau_min || useless_rounds > allowed_useless_rounds(best.error, acceptable_error))
           break;
-        tau *= tau_reduction(target_error, s.error);
+        tau *= useless_rounds > 0 ? 0.1 : tau_reduction(target_error, s.error);
         continue;
       }
     } catch (const Numerical_error& e) {
