@@ -88,14 +88,14 @@ TEST_CASE("Every .patch.json file of the fuzzer's corpus is read or refused with
 TEST_CASE("Harmonic coordinates give up soon where the rounding of vertices limits the accuracy") {
   struct Finding {
     const char* file;
-    double target, reached;
+    double target, acceptable, reached;
   };
-  for (const Finding& f :
-       {Finding{"spike_of_3e-7_radians", 1e-6, 1e-5}, Finding{"vertices_6e-12_apart", 1e-5, 1e-4},
-        Finding{"vertices_7e-15_apart", 1e-3, 1e-1}}) {
+  for (const Finding& f : {Finding{"spike_of_3e-7_radians", 1e-6, 1e-3, 1e-5},
+                           Finding{"vertices_6e-12_apart", 1e-5, 1e-3, 1e-4},
+                           Finding{"vertices_7e-15_apart", 1e-4, 1e-4, 1e-1}}) {
     INFO(f.file);
     const auto solution = fuzz::solve_for_harmonic(
-        bytes_of(fs::path(FUZZ_DIR) / "findings" / "polygon" / f.file), f.target);
+        bytes_of(fs::path(FUZZ_DIR) / "findings" / "polygon" / f.file), f.target, f.acceptable);
     CHECK(solution.rounds <= 3);
     CHECK(solution.error < f.reached);
   }

@@ -12,12 +12,11 @@
 
 namespace fuzz {
 
-// Solves for the harmonic coordinates of a polygon file of about unit size, as patches do: its
-// domain may be too narrow for the target.
-inline MP::internal::harmonic::Best_solution solve_for_harmonic(const std::string& bytes,
-                                                                double target_error) {
+// Solves for the harmonic coordinates of a polygon file of about unit size. Its domain may be too
+// narrow for the target.
+inline MP::internal::harmonic::Best_solution
+solve_for_harmonic(const std::string& bytes, double target_error, double acceptable_error) {
   namespace harmonic = MP::internal::harmonic;
-  constexpr double acceptable_error = 1e-3;
   const Domain domain = read_polygon(bytes).domain;
   std::vector<harmonic::Complex> vertices;
   std::vector<std::size_t> next;
