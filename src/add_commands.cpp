@@ -208,6 +208,12 @@ void add_coordinates_command(CLI::App& app, Coordinates_options& options) {
       ->check(positive_number_below(1))
       ->type_name("X");
   command
+      .add_option("--acceptable-error", options.acceptable_error,
+                  "the error that will do where the wanted one is out of reach (default:\n"
+                  "none but the wanted one)")
+      ->check(positive_number_below(1))
+      ->type_name("X");
+  command
       .add_option("--vertex", options.vertex,
                   "draw the coordinate of this vertex only (default: the first 12)")
       ->check(whole_number(0, MP::IO::Polygon_file_limits::max_vertices - 1))

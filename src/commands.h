@@ -77,7 +77,7 @@ struct Coordinates_options {
   std::optional<std::size_t> samples;
   std::optional<int> derivatives;
   std::optional<std::size_t> vertex;
-  std::optional<double> target_error;
+  std::optional<double> target_error, acceptable_error;
   bool quiet = false;
 };
 

@@ -10,6 +10,7 @@
 #include "point_file.h"
 #include "sample_domain.h"
 #include "stage_clock.h"
+#include "with_file_name.h"
 
 #include <CGAL/Multisided_patches/IO/internal/file_access.h>
 
@@ -27,6 +28,13 @@ namespace {
 
 enum class Format { picture, table };
 
+// The option given that says how accurate harmonic coordinates shall be, if any is.
+const char* accuracy_option(const Coordinates_options& options) {
+  return options.target_error       ? "--target-error"
+         : options.acceptable_error ? "--acceptable-error"
+                                    : nullptr;
+}
+
 Format output_format(const std::string& output) {
   const bool is_picture = MP::internal::file_extension(output) == ".svg";
   return is_picture ? Format::picture : Format::table;
@@ -43,7 +51,8 @@ void check_options(const Coordinates_options& options, Format format) {
   only_for(!options.at.empty(), "--at", table, ".csv files");
   only_for(options.derivatives.has_value(), "--derivatives", table, ".csv files");
   only_for(options.vertex.has_value(), "--vertex", !table, ".svg files");
-  only_for(options.target_error.has_value(), "--target-error",
+  const char* accuracy = accuracy_option(options);
+  only_for(accuracy != nullptr, accuracy,
            options.patch.coordinates.value_or(Coordinates_choice::harmonic) ==
                Coordinates_choice::harmonic,
            "harmonic coordinates");
@@ -64,8 +73,9 @@ void check_domain(const Coordinates_options& options, const Domain_input& input)
   const Domain& domain = input.domain;
   const std::string& name = options.patch.input;
   const bool is_harmonic = input.coordinates == Coordinates_choice::harmonic;
-  if (options.target_error && !is_harmonic)
-    throw MP::Input_error("--target-error is for harmonic coordinates only");
+  const char* accuracy = accuracy_option(options);
+  if (accuracy != nullptr && !is_harmonic)
+    throw MP::Input_error(std::string(accuracy) + " is for harmonic coordinates only");
   if (is_harmonic && domain.size() > max_harmonic)
     throw MP::Input_error(name + ": " + std::to_string(domain.size()) +
                           " vertices are too many for harmonic coordinates; the limit is " +
@@ -182,7 +192,8 @@ void write_coordinates(const Coordinates_options& options, Format format, const 
                        Stage_clock& clock) {
   const Any_coordinates coordinates = clock.run("setup", [&] {
     return make_coordinates(input.coordinates, input.domain,
-                            options.target_error.value_or(default_target_error));
+                            options.target_error.value_or(default_target_error),
+                            options.acceptable_error.value_or(0));
   });
   const std::vector<std::size_t> drawn = drawn_vertices(options, input.domain.size());
   const std::size_t points = format == Format::picture
@@ -206,11 +217,7 @@ void coordinates_command(const Coordinates_options& options) {
   check_domain(options, input);
   check_index(options.vertex.value_or(0), input.domain.size(), "--vertex");
   check_files(options);
-  try {
-    write_coordinates(options, format, input, clock);
-  } catch (const MP::Numerical_error& error) {
-    throw MP::Numerical_error(options.patch.input + ": " + error.what());
-  }
+  with_file_name(options.patch.input, [&] { write_coordinates(options, format, input, clock); });
 }
 
 } // namespace multipatch

@@ -3,11 +3,12 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "any_coordinates.h"
 #include "any_model.h"
 #include "commands.h"
+#include "patch_coordinates.h"
 #include "sample_domain.h"
 #include "svg.h"
+#include "with_file_name.h"
 
 #include <CGAL/Multisided_patches/IO/internal/file_access.h>
 #include <CGAL/Multisided_patches/domains/make_domain.h>
@@ -28,8 +29,7 @@ struct Samples {
   std::vector<double> s, h, lambda;
 };
 
-template <typename Coordinates>
-Samples sample(const Coordinates& coordinates, const Domain_mesh& mesh,
+Samples sample(const Patch_coordinates& coordinates, const Domain_mesh& mesh,
                const MP::Side_parameter_options& side_options,
                const Domain_picture_options& options) {
   using Jet = MP::Jet_2<double, 0>;
@@ -38,7 +38,7 @@ Samples sample(const Coordinates& coordinates, const Domain_mesh& mesh,
   std::vector<MP::Side_parameter<Jet>> parameters(domain.size());
   Samples samples;
   for (std::size_t k = 0; k < mesh.points.size(); ++k) {
-    coordinates.template evaluate<0>(mesh.points[k], mesh.locations[k], lambda.data());
+    coordinates.evaluate<0>(mesh.points[k], mesh.locations[k], lambda.data());
     MP::compute_side_parameters(domain, lambda.data(), side_options, parameters);
     // Where neither end of the side has any weight, s is not defined and no line is drawn.
     const std::size_t i = options.side;
@@ -57,29 +57,16 @@ MP::Side_parameter_options side_parameter_options(const Any_model& model) {
              : MP::Side_parameter_options();
 }
 
-} // namespace
-
-void domain_command(const Domain_picture_options& options) {
-  check_different(options.output, {options.patch.input});
-  const Any_model model = read_model(options.patch);
-  check_index(options.side, number_of_sides(model), "--side");
-  check_index(options.coordinate, number_of_sides(model), "--coordinate");
-  MP::internal::check_writable(options.output);
-
-  const auto [domain, report] = make_domain(model);
-  const Domain_mesh mesh = sample_domain(domain, picture_points);
-  const Coordinates_choice choice = coordinates(model).value_or(own_coordinates);
-  const Samples samples = std::visit(
-      [&](const auto& c) { return sample(c, mesh, side_parameter_options(model), options); },
-      make_coordinates(choice, domain));
-
-  MP::internal::Atomic_file file(options.output);
-  std::ostream& out = file.stream();
+void draw(std::ostream& out, const MP::Generated_domain<Kernel>& generated, const Domain_mesh& mesh,
+          const Samples& samples, Coordinates_choice choice,
+          const Domain_picture_options& options) {
+  const Domain& domain = generated.domain;
   const std::vector<double> levels = multiples(0.1, -20, 20);
   begin_svg(out, domain, 3);
 
   Svg_panel shape(out, domain, 0);
-  shape.title(std::string(domain_name(report)) + " domain: blue convex, red reflex corners");
+  shape.title(std::string(domain_name(generated.report)) +
+              " domain: blue convex, red reflex corners");
   shape.area();
   shape.outline();
   shape.corners();
@@ -102,10 +89,31 @@ void domain_command(const Domain_picture_options& options) {
   coordinate.outline();
   coordinate.corners();
   end_svg(out);
+}
+
+void write_picture(const Any_model& model, const Domain_picture_options& options) {
+  const MP::Generated_domain<Kernel> generated = make_domain(model);
+  const Domain_mesh mesh = sample_domain(generated.domain, picture_points);
+  const Coordinates_choice choice = coordinates(model).value_or(own_coordinates);
+  const Samples samples = sample(Patch_coordinates(choice, generated.domain), mesh,
+                                 side_parameter_options(model), options);
+  MP::internal::Atomic_file file(options.output);
+  draw(file.stream(), generated, mesh, samples, choice, options);
   file.commit();
-  std::printf("%s: domain %s, %s\n", options.output.c_str(), domain_name(report),
-              clearance_text(report).c_str());
-  warn_of_remarks(report);
+  std::printf("%s: domain %s, %s\n", options.output.c_str(), domain_name(generated.report),
+              clearance_text(generated.report).c_str());
+  warn_of_remarks(generated.report);
+}
+
+} // namespace
+
+void domain_command(const Domain_picture_options& options) {
+  check_different(options.output, {options.patch.input});
+  const Any_model model = read_model(options.patch);
+  check_index(options.side, number_of_sides(model), "--side");
+  check_index(options.coordinate, number_of_sides(model), "--coordinate");
+  MP::internal::check_writable(options.output);
+  with_file_name(options.patch.input, [&] { write_picture(model, options); });
 }
 
 } // namespace multipatch

@@ -86,7 +86,8 @@ int main(int argc, char* argv[]) {
   app.require_subcommand(0, 1);
 
 #ifdef SIGXFSZ
-  std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow is an error of its stream
+  // Writing beyond the limit of file sizes shall fail, not end the program.
+  std::signal(SIGXFSZ, SIG_IGN);
 #endif
   Command_options options;
   add_commands(app, options);

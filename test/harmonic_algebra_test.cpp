@@ -138,9 +138,9 @@ TEST_CASE("A block matrix that is not positive definite is found out", "[harmoni
   CHECK_FALSE(blocks.factorize<Sequential_tag>());
 }
 
-// Across a sliver all numbers are as small as its width, and so must be what is left, wherever it
-// lies. The weights of the correction are as large as 1 / width, times the rounding of the defects,
-// which are of the same size.
+// Across a sliver points are reproduced to full precision, wherever it lies and however it is
+// turned. What the sum may lose is rounding times the weights of the correction, which are as large
+// as 1 / width.
 TEST_CASE("Linear functions are restored on slivers in all directions and places", "[harmonic]") {
   const double width = 1e-6;
   const Complex along(0.6, 0.8), across(-0.8, 0.6);
@@ -160,6 +160,6 @@ TEST_CASE("Linear functions are restored on slivers in all directions and places
       offset += lambda[i] * dot(vertices[i] - z, across);
     }
     CHECK(std::abs(sum) < 1e-16 / width);
-    CHECK(std::abs(offset) < 1e-16);
+    CHECK(std::abs(offset) < 3e-16);
   }
 }

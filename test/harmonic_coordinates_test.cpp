@@ -248,6 +248,27 @@ TEST_CASE("Errors that nothing can have are refused", "[harmonic]") {
     CHECK_THROWS_AS(Harmonic_coordinates_2(domain, 1e-8, bad), MP::Input_error);
 }
 
+TEST_CASE("Domains whose size or its inverse overflows are refused", "[harmonic]") {
+  const auto square = [](double low, double high) {
+    return Domain(Points{{low, low}, {high, low}, {high, high}, {low, high}});
+  };
+  for (const Domain& domain : {square(0, 1e-310), square(-1e308, 1e308)})
+    CHECK_THROWS_AS(Harmonic_coordinates_2(domain), MP::Numerical_error);
+  for (const double size : {1e-307, 1e307}) {
+    const auto lambda = evaluate<1>(Harmonic_coordinates_2(square(0, size)), {size / 4, size / 2});
+    CHECK(lambda[2].value() == Approx(0.125));
+    CHECK(lambda[2][1] * size == Approx(0.5));
+  }
+}
+
+TEST_CASE("Hessians are as large as the domain is small, as long as numbers go", "[harmonic]") {
+  const double size = 1e-153;
+  const Harmonic_coordinates_2 h(Domain(Points{{0, 0}, {size, 0}, {size, size}, {0, size}}));
+  const auto lambda = evaluate<2>(h, {size / 4, size / 2});
+  CHECK(size * (size * lambda[2][4]) == Approx(1)); // lambda[2] is uv / size^2
+  CHECK(std::abs(size * (size * lambda[2][3])) < 1e-8);
+}
+
 TEST_CASE("Nothing is evaluated at locations outside the domain", "[harmonic]") {
   const Domain domain(l_shape());
   const Harmonic_coordinates_2 coordinates(domain);

@@ -52,7 +52,7 @@ namespace Multisided_patches {
  * Hessians be at all vertices; what is returned then is the finite value at a nearby point on the
  * bisector of the corner. It is 10^-6 times as far away as the nearest other vertex that is not
  * behind the sides of the corner or, where this is nearer, the mirror image of the corner in a side
- * across from it.
+ * across from it. On domains of a size below about 1e-154 Hessians overflow.
  *
  * Setting up for errors of 1e-8 takes 1.3 to 9 ms for n = 8 vertices, 12 to 32 ms for 20 and 65 to
  * 240 ms for 64 on one core, a third less with AVX2, and grows with n^1.3 (combs, spirals), n^1.4
@@ -104,11 +104,10 @@ public:
    * \param concurrency `Parallel_tag` or `Sequential_tag`; the result does not depend on it
    *
    * \throws Input_error unless `target_error` > 0 and `acceptable_error` >= 0, both finite
-   * \throws Accuracy_error if the target, and the acceptable error, could not be reached; it says
-   * what was, which is within reach as the acceptable error of the same target, and, but for bad
-   * luck, half as much again as a target
-   * \throws Numerical_error if the domain is so large or small that its extent or the inverse of
-   * that overflows
+   * \throws Accuracy_error if the target, and the acceptable error, could not be reached. It says
+   * what was, which is within reach as the acceptable error of the same target. As a target it may
+   * be out of reach, as other targets lead to other subdivisions. \throws Numerical_error if the
+   * extent of the domain, or the inverse of that, overflows
    *
    * Complexity: O(n²) time and memory, 2 kB · n² in the worst case; from n^1.3 on where
    * distant vertices do not see each other. The error asked for enters by its logarithm squared.
@@ -245,14 +244,14 @@ private:
   void set_frame() {
     const Bbox_2 box = this->domain().bbox();
     origin_ = {exact_origin(box.xmin(), box.xmax()), exact_origin(box.ymin(), box.ymax())};
-    int exponent = 0;
     const double extent = (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
+    if (!std::isfinite(extent) || !std::isfinite(1 / extent))
+      throw Numerical_error("the domain is too large or too small for harmonic coordinates: its "
+                            "extent is " +
+                            internal::to_short_text(extent));
+    int exponent = 0;
     std::frexp(extent, &exponent);
     scale_ = std::ldexp(1., -exponent);
-    if (!std::isfinite(extent) || !std::isfinite(scale_))
-      throw Numerical_error("harmonic coordinates on a domain that is " +
-                            internal::to_short_text(extent) +
-                            " wide: its inverse or itself is out of the range of numbers");
   }
 
   // The difference of two numbers is exact if neither is more than twice as large as the other
@@ -295,8 +294,7 @@ private:
   template <int Order, typename Real>
   void correct(const std::complex<Real>& z, Real* parts) const {
     // 1, x and y relative to z, and their derivatives by x, by y, and twice
-    constexpr std::array<Real, 3> affine[5] = {
-        {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}, {0, 0, 0}};
+    const std::array<Real, 3> affine[5] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}, {0, 0, 0}};
     for (int k = 0; k < number_of_parts<Order>; ++k)
       correction_(z, affine[k], parts + static_cast<std::size_t>(k) * basis_.stride());
   }
@@ -305,8 +303,13 @@ private:
   template <typename Real>
   Real entry(const Real* parts, std::size_t k) const {
     constexpr std::size_t part[6] = {0, 1, 2, 3, 4, 3}; // the last is minus the fourth
-    const Real factor = k == 0 ? Real(1) : k <= 2 ? Real(scale_) : Real(scale_) * Real(scale_);
-    return (k == 5 ? -factor : factor) * parts[part[k] * basis_.stride()];
+    const Real value = parts[part[k] * basis_.stride()];
+    if (k == 0)
+      return value;
+    if (k <= 2)
+      return Real(scale_) * value;
+    // the square of the scale may overflow where this does not
+    return Real(scale_) * (Real(scale_) * (k == 5 ? -value : value));
   }
 
   // evaluates the approximation at a point of the normalized frame

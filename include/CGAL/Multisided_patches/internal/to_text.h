@@ -27,8 +27,10 @@ inline std::string to_short_text(double x) {
       buffer, std::to_chars(buffer, buffer + sizeof(buffer), x, std::chars_format::general, 6).ptr);
 }
 
-// The same, of a positive number that one may ask for after reading it: two digits, rounded up.
+// Two digits of a normal positive number below 1e308 that make a larger one, so that who asks for
+// what is read asks for no less.
 inline std::string to_short_text_above(double x) {
+  // The margin is above all errors of the powers and products.
   const double digit = std::pow(10., std::floor(std::log10(x)) - 1);
   return to_short_text(std::ceil(x / digit * (1 + 1e-9)) * digit);
 }

@@ -99,8 +99,8 @@ inline std::vector<Channel> channels(const Boundary& boundary, std::size_t e1, s
     const std::optional<Strip_map> local = strip_map(boundary, e1, e2, origin);
     if (!local)
       continue;
-    // Where the gap is as thin as rounding, both maps know its height to a few digits, and do not
-    // agree on a W that is large, but on abscissas.
+    // Where the gap is as thin as rounding, both maps know its height only to a few digits, and so
+    // differ in W where it is large, but agree on abscissas.
     const auto image = [&](double s) {
       return local->image(Complex(map->abscissa(s) - middle)).real();
     };

@@ -50,14 +50,15 @@ inline double tau_reduction(double target_error, double error) {
   return (std::min)(0.25, 0.6 * std::pow(target_error / error, 1 / 1.3));
 }
 
-// How many rounds in a row may hardly lessen the error. Less than what is acceptable is not worth
-// any. Close to it, rounding may let an error stay above by chance, and much smaller taus help:
-// else one that was reached on the way to a smaller target could be out of reach when it is asked
-// for.
+constexpr int max_rounds = 5;
+
+// How many rounds in a row may hardly lessen the error. None, once it is acceptable. Within twice
+// of that, all there are: the error is then mostly rounding, which varies with tau, and may fall
+// below.
 inline int allowed_useless_rounds(double error, double acceptable_error) {
   if (error <= acceptable_error)
     return 0;
-  return error <= 2 * acceptable_error ? 3 : 1;
+  return error <= 2 * acceptable_error ? max_rounds : 1;
 }
 
 // solves Laplace's equation with ever smaller tau until the error is below the target, or nothing
@@ -66,7 +67,6 @@ inline int allowed_useless_rounds(double error, double acceptable_error) {
 template <typename ConcurrencyTag>
 Best_solution solve_to_accuracy(const Boundary& boundary, const Bisection_mesh& mesh,
                                 double target_error, double acceptable_error) {
-  constexpr int max_rounds = 5;
   constexpr double tau_min = 1e-13, tau_max = 1e-2;
   int useless_rounds = 0;
   double tau = initial_tau(target_error, boundary);
