@@ -55,13 +55,13 @@ namespace Multisided_patches {
  * across from it. On domains of a size below about 1e-154 Hessians overflow.
  *
  * Setting up for errors of 1e-8 takes 1.3 to 9 ms for n = 8 vertices, 12 to 32 ms for 20 and 65 to
- * 240 ms for 64 on one core, a third less with AVX2, and grows with n^1.3 (combs, spirals), n^1.4
- * (random polygons), n^1.9 (regular ones) or n^2 (stars). Slots take longer, as cells shrink
- * towards the end of a slot: 20 ms where its width is 0.1 of what is around it, 45 ms with 0.01,
- * 0.2 s with 1e-7, and up to 1.2 s below; to find that a target is out of reach there, up to 7 s.
- * Evaluating all coordinates with gradients at a point takes less than a microsecond for n = 8, and
- * allocates hardly any memory up to n = 32; `evaluate_batch()` does it for many points in parallel.
- * All queries may be made from several threads.
+ * 240 ms for 64 on one core, a third less with AVX2, and grows with n^1.3 to n^1.5 (combs,
+ * spirals, random polygons), n^1.9 (regular ones) or n^2 (stars). Slots take longer, as cells
+ * shrink towards the end of a slot: 20 ms where its width is 0.1 of what is around it, 45 ms with
+ * 0.01, 0.2 s with 1e-7, and up to 1.2 s below; to find that a target is out of reach there, up to
+ * 7 s. Evaluating all coordinates with gradients at a point takes less than a microsecond for n =
+ * 8, and allocates hardly any memory up to n = 32; `evaluate_batch()` does it for many points in
+ * parallel. All queries may be made from several threads.
  *
  * \cgalModels{BarycentricCoordinates_2}
  *
